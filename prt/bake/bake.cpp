@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 
 #include "numeric/output/progress.hpp"
@@ -16,6 +17,7 @@
 #include "prt/bake/steps.hpp"
 #include "prt/chunks.hpp"
 #include "prt/plan/measure.hpp"
+#include "prt/transfer/storage.hpp"
 #include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
@@ -169,6 +171,23 @@ void take_plan(const Plan& plan, Transfer& transfer) {
   }
 }
 
+// What files lose by clusters: complete rows, each a difference.
+Transfer lost_by(const Transfer& clustered, const Transfer& transfer) {
+  Transfer lost = transfer;
+  const auto subtract = [](std::vector<float>& from, const std::vector<float>& what) {
+    std::transform(what.begin(), what.end(), from.begin(), from.begin(), std::minus<>());
+  };
+  if (!clustered.clusters.empty()) {
+    subtract(lost.coefficients, clustered.clusters.rows());
+  } else if (clustered.shape.storage.element != transfer.shape.storage.element) {
+    subtract(lost.coefficients, decode(encode(transfer.coefficients, clustered.shape), clustered.shape));
+  } else {
+    std::fill(lost.coefficients.begin(), lost.coefficients.end(), 0.0F);
+  }
+  if (!clustered.indirect_clusters.empty()) subtract(lost.indirect, clustered.indirect_clusters.rows());
+  return lost;
+}
+
 // Clusters in place of rows, if they lose no more than the plan has room for or the plan has no errors.
 void compress_by_plan(const Plan& plan, ClusterCounts counts, Transfer& transfer) {
   const auto decision = std::find_if(transfer.plan.decisions.begin(), transfer.plan.decisions.end(),
@@ -176,9 +195,7 @@ void compress_by_plan(const Plan& plan, ClusterCounts counts, Transfer& transfer
   if (decision == transfer.plan.decisions.end()) return compress(transfer, counts);
   Transfer clustered = transfer;
   compress(clustered, counts);
-  std::vector<float> lost = clustered.clusters.rows();
-  for (std::size_t i = 0; i < lost.size(); ++i) lost[i] -= transfer.coefficients[i];
-  const double error = worst_radiance(lost, transfer.shape, transfer.mesh, plan.lights) / plan.reference;
+  const double error = worst_radiance(lost_by(clustered, transfer), plan.lights) / plan.reference;
   if (error > decision->error) {
     decision->why = fmt::format("{} would lose {:.2g}, more than {:.2g}", decision->choice, error, decision->error);
     decision->choice = "rows as they are";
@@ -201,12 +218,13 @@ BakeJob::BakeJob(Scene the_scene, BakeSettings the_settings)
 }
 
 BakeJob planned(BakeJob job) {
+  check(job);
   on_threads(job.settings.threads, [&] { job.plan = make_plan(job.scene, job.settings.instruction_set); });
   return job;
 }
 
 Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
-  check(job);
+  if (job.plan) check(job);
   if (!job.plan) job = planned(std::move(job));
   const BakeOptions wanted = job.scene.bake;
   prepare(job, say);

@@ -57,7 +57,7 @@ struct BakeReport {
 /// Receives one line about the expected time of the bake and one about each change that a budget makes.
 using BakeObserver = std::function<void(const std::string& line)>;
 
-/// Returns the job with its plan; throws like make_plan().
+/// Returns the job with its plan; throws like make_plan(), and std::invalid_argument for options out of range.
 BakeJob planned(BakeJob job);
 
 /// Shows progress. Vertices that no ray can leave take their neighbors' values and are reported as a flaw. If a number

@@ -34,7 +34,8 @@ void compress(Transfer& transfer, ClusterCounts counts) {
   if (transfer.kind->indirect == nullptr) {
     return cluster_rows(counts, transfer.coefficients, transfer.shape, transfer.clusters);
   }
-  transfer.shape.storage.element = Element::kHalf;
+  Element& element = transfer.shape.storage.element;
+  if (element == Element::kSingle) element = Element::kHalf;
   cluster_rows(counts, transfer.indirect, transfer.indirect_shape, transfer.indirect_clusters);
 }
 

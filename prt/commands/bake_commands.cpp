@@ -212,7 +212,7 @@ void run_plan(const PlanCommand& options) {
   const Stopwatch stopwatch;
   Scene scene = load_scene(options.scene, OnFlaw::kMend);
   options.apply_to(scene);
-  if (options.plan.empty() && !scene.bake.kind->is_glossy()) scene.plan.mode = PlanMode::kLossy;
+  if (options.plan.empty()) scene.plan.mode = PlanMode::kLossy;
   const BakeJob job = planned({std::move(scene), {.threads = options.threads}});
   print_out(options.json ? plan_json(*job.plan, job.scene) + "\n" : plan_text(*job.plan, job.scene));
   report_time(stopwatch, "planned");

@@ -90,7 +90,7 @@ class CppEmitter {
     elements_ = element_of("kElement", rows_.shape);
     add_clusters(transfer_.clusters, "");
     const std::vector<float>& scale = rows_.encoded.scale;
-    if (transfer_.shape.meets == Meets::kDot) numbers("kScale", scale.empty() ? std::vector<float>{1.0F} : scale);
+    if (are_there) numbers("kScale", scale.empty() ? std::vector<float>{1.0F} : scale);
   }
 
   void add_glossy() {

@@ -88,8 +88,7 @@ class GlslEmitter {
     shader.texts = {"row_sums.glsl"};
     data_.add_texture("transfer", rows_.encoded, rows_.shape);
     data_.json["light"] = rows_.kept;
-    std::vector<float> factors = rows_.encoded.scale;
-    for (float& factor : factors) factor *= kNormalized;
+    const std::vector<float> factors = scale_of_texels();
     if (!factors.empty()) data_.json["light_factors"] = factors;  // (channels, kept)
     if (!lit_.empty()) {
       shader.texts.insert(shader.texts.end(), {"light_row_diffuse.glsl", "lit.glsl"});
@@ -137,11 +136,23 @@ class GlslEmitter {
     data_.add_number("brdf", 8, {brdfs_.numbers.begin(), brdfs_.numbers.end()});
   }
 
+  // What a column's texels have to be multiplied with; nothing for rows of floats.
+  [[nodiscard]] std::vector<float> scale_of_texels() const {
+    std::vector<float> factors = rows_.encoded.scale;
+    for (float& factor : factors) factor *= kNormalized;
+    return factors;
+  }
+
   void add_rows() {
     if (transfer_.shape.meets == Meets::kNothing) return;
     Shader& shader = meeting(transfer_.clusters, "");
     data_.add_texture("rows", rows_.encoded, rows_.shape);
     shader.define("ROW", rows_.shape.columns());
+    if (const std::vector<float> scale = scale_of_texels(); !scale.empty()) {
+      shader.functions +=
+          fmt::format("\nconst float row_scale[{0}] = float[{0}]({1:.9e});\n", scale.size(), fmt::join(scale, ", "));
+      shader.define("ROW_SCALE", 1);
+    }
     if (kernels_.has("SH_EMITTED_APPLY")) shader.define("SAMPLES", sample_count(transfer_.degree()));
     shader.use(kernels_, "APPLY");
     shader.use(kernels_, "PRODUCT");

@@ -33,6 +33,8 @@ struct TransferKind {
   /// True if a vertex keeps the radiance that reaches it, as a function of direction, and its material decides at run
   /// time what leaves it towards the eye.
   [[nodiscard]] bool is_glossy() const { return !shape(0).holds_cosine; }
+  [[nodiscard]] bool is_diffuse() const { return !is_glossy(); }
+  [[nodiscard]] bool stores_numbers() const { return shape(0).length() > 0; }
   /// The shape of the numbers that rays give, before albedo and bounces: one channel.
   [[nodiscard]] TransferShape traced_shape(int degree) const {
     TransferShape traced = shape(degree);

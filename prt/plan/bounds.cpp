@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "numeric/oracle/zonal.hpp"
+#include "prt/material/lobe.hpp"
 #include "prt/transfer/unshadowed.hpp"
 
 namespace sh::prt {
@@ -92,7 +93,12 @@ double unshadowed_band_norm(int l) {
   return std::abs(numeric::clamped_cosine_factor<double>(l)) / std::numbers::pi * largest_of_basis(l);
 }
 
+double hemisphere_band_norm(int l) {
+  return 2.0 * std::numbers::pi * largest_of_basis(l) * std::abs(phong_factor(l, 0.0));
+}
+
 double transfer_band_bound(const TransferKind& kind, bool mirrors, int l) {
+  if (kind.is_glossy()) return std::sqrt(std::numbers::pi) / 2.0 + hemisphere_band_norm(l) / 2.0;
   if (!kind.traces_rays()) return unshadowed_band_norm(l);
   if (kind.has_bounces() || mirrors) return largest_of_basis(l);
   const double half_of_any = std::sqrt(2.0 * std::numbers::pi / 3.0) * std::sqrt(0.5) / (2.0 * std::numbers::pi);

@@ -15,6 +15,8 @@
 // bounces the vector is the projection of a weight that is nowhere negative and, since no energy is gained, integrates
 // to at most 1:
 //   |T_l| <= largest value of h = sqrt((2l+1) / 4 pi).
+// The visibility of glossy kinds is the first of these without the cosine over pi: with H_l, band l of the hemisphere,
+//   |V_l| <= 1/2 sqrt(2 pi) sqrt(1/2) + |H_l| / 2.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -52,7 +54,10 @@ class TurningLight {
 /// The norm |T_l| of an unshadowed vertex: A_l/pi sqrt((2l+1) / 4 pi).
 double unshadowed_band_norm(int l);
 
-/// The bound above that applies to this kind; mirrors gather paths like bounces.
+/// The norm |H_l| of the coefficients of a hemisphere.
+double hemisphere_band_norm(int l);
+
+/// The bound above that applies to the numbers of this kind; mirrors gather paths like bounces.
 double transfer_band_bound(const TransferKind& kind, bool mirrors, int l);
 
 /// The largest exit radiance of the unshadowed `mesh` under the light without rotation, over all vertices and channels.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -27,7 +28,7 @@ double difference(const Draft& draft, const Radiances& a, const Radiances& b, do
   return draft.measurement->error(e);
 }
 
-Radiances radiances_of(const Draft& draft, const std::vector<float>& rows, const TransferShape& shape) {
+Radiances radiances_of(const Draft& draft, const std::vector<float>& rows, const RowShape& shape) {
   return draft.measurement->radiances(rows, shape);
 }
 
@@ -41,11 +42,14 @@ void loosen_tolerance(Draft& draft, double returned) {
   constexpr double kPart = 0.1;
   double& tolerance = draft.bake.bounces.tolerance;
   const double before = tolerance;
+  const bool proves = draft.bake.kind->has_form_factors();
   const double unit = error_of_tolerance(draft);
   const double wanted = std::min(kLoosestTolerance, draft.share(kPart) / unit);
-  if (draft.shines() || wanted <= before) {
+  if (!proves || draft.shines() || wanted <= before) {
     draft.decide("bounces", fmt::format("to {:.2g} as requested", before),
-                 draft.shines() ? "surfaces emit light" : "the budget leaves no room");
+                 !proves          ? fmt::format("without bounces the error would be {:.2g}", returned)
+                 : draft.shines() ? "surfaces emit light"
+                                  : "the budget leaves no room");
     return;
   }
   tolerance = wanted;
@@ -56,23 +60,31 @@ void loosen_tolerance(Draft& draft, double returned) {
   draft.loosened = tolerance * unit;
 }
 
-// The error of omitting the lights' bands above `degree`, up to the requested degree.
+// The error of omitting the lights' bands above `degree`, up to the requested degree. None is proved where light meets
+// lobes, whose bands it omits, too.
 double bound_above(const Draft& draft, int degree) {
+  if (draft.bake.kind->is_glossy()) return std::numeric_limits<double>::infinity();
   return draft.relative(draft.light->largest_product_of_bands(degree + 1, [&](int l) { return draft.band_bound(l); }));
 }
 
+// The rows along many directions if bakes have this degree: light bounces between lobes at that degree, too.
+std::vector<float> many_at(const Draft& draft, int degree) {
+  if (draft.bake.kind->indirect == nullptr) return draft.many;
+  BakeOptions options = draft.measurement->reference_options(draft.bake);
+  options.degree = degree;
+  return draft.measurement->rows(options);
+}
+
 double measured_above(const Draft& draft, int degree) {
-  const TransferShape shape = draft.traced_shape();
-  TransferShape low = shape;
-  low.degree = degree;
-  return difference(draft, radiances_of(draft, draft.measurement->kept(draft.many, low), low),
-                    radiances_of(draft, draft.many, shape));
+  const RowShape low(*draft.bake.kind, draft.scene.mesh, degree);
+  return difference(draft, radiances_of(draft, draft.measurement->kept(many_at(draft, degree), low), low),
+                    radiances_of(draft, draft.many, draft.traced_shape()));
 }
 
 // The error of this many directions alone, with the current kind, measured and as stated.
 double measured_error_of_directions(const Draft& draft, int directions) {
   const double spread = draft.bake.kind->has_bounces() ? draft.measurement->spread() : 1.0;
-  const TransferShape shape = draft.traced_shape();
+  const RowShape shape = draft.traced_shape();
   return difference(draft, radiances_of(draft, draft.measurement->rows(draft.along(directions)), shape),
                     radiances_of(draft, draft.many, shape), spread);
 }
@@ -129,8 +141,8 @@ void decide_bounces(Draft& draft) {
   }
   draft.bake.kind = without.kind;
   draft.many = std::move(rows);
-  draft.decide("bounces", "none: shadowed instead of interreflected", "this little light comes back", returned,
-               "measured");
+  draft.decide("bounces", fmt::format("none: {} instead of {}", without.kind->word, draft.asked.kind->word),
+               "this little light comes back", returned, "measured");
 }
 
 void decide_bands(Draft& draft) {
@@ -141,11 +153,13 @@ void decide_bands(Draft& draft) {
     const double measured = measured_above(draft, degree);
     const double error = std::min(bound, measured);
     if (error <= draft.share(kPart)) {
+      draft.many = many_at(draft, degree);
       draft.bake.degree = degree;
-      draft.decide("bands", fmt::format("degree {} instead of {}", degree, asked),
-                   fmt::format("what bands {} to {} add, lights turned: {} (at most, for any visibility: {:.2g})",
-                               degree + 1, asked, name_of(draft.options.turns), bound),
-                   error, bound <= measured ? "bound" : "measured");
+      draft.decide(
+          "bands", fmt::format("degree {} instead of {}", degree, asked),
+          fmt::format("what bands {} to {} add, lights turned: {}{}", degree + 1, asked, name_of(draft.options.turns),
+                      std::isinf(bound) ? "" : fmt::format(" (at most, for any visibility: {:.2g})", bound)),
+          error, bound <= measured ? "bound" : "measured");
       return;
     }
   }
@@ -153,6 +167,15 @@ void decide_bands(Draft& draft) {
       "bands", fmt::format("degree {} as requested", asked),
       fmt::format("without band {} the error would be {:.2g}", asked,
                   asked > 0 ? std::min(bound_above(draft, asked - 1), measured_above(draft, asked - 1)) : 1.0));
+}
+
+double measured_error_of(const Draft& draft, Element element) {
+  const RowShape plain = draft.row_shape();
+  RowShape stored = plain;
+  stored.numbers.storage.element = element;
+  const Measurement& measurement = *draft.measurement;
+  return difference(draft, radiances_of(draft, measurement.kept(draft.many, stored), stored),
+                    radiances_of(draft, measurement.kept(draft.many, plain), plain));
 }
 
 double floor_of_directions(Draft& draft) {

@@ -68,7 +68,8 @@ void decide_analytic(Draft& draft) {
     return;
   }
   constexpr double kPart = 0.02;
-  const double angle = draft.light ? angle_within(draft, draft.share(kPart)) : kExactAngle;
+  const bool may_differ = draft.light && !draft.bake.kind->is_glossy();
+  const double angle = may_differ ? angle_within(draft, draft.share(kPart)) : kExactAngle;
   draft.plan.open = open_vertices(draft.scene.mesh, draft.starts, angle);
   const std::size_t open = draft.starts.size() - draft.traced();
   const double widest = widest_angle(draft);
@@ -113,19 +114,20 @@ void decide_storage(Draft& draft) {
   constexpr double kSampling = 1.01;  // sums over directions may exceed the exact bound
   constexpr double kPart = 0.5;
   draft.plan.largest.resize(draft.count());
-  for (int l = 0; l <= draft.bake.degree; ++l) {
+  for (int l = 0; l <= draft.shape().function_degree(); ++l) {
     std::fill(draft.plan.largest.begin() + l * l, draft.plan.largest.begin() + (l + 1) * (l + 1),
               static_cast<float>(kSampling * draft.band_bound(l)));
   }
+  const bool proves = !draft.bake.kind->is_glossy();  // else numbers meet light and lobes
   for (const Element element : {Element::kByte, Element::kHalf}) {
-    const double error = draft.error_of(storage_errors(draft, element));
+    const double error = proves ? draft.error_of(storage_errors(draft, element)) : measured_error_of(draft, element);
     if (error <= draft.share(kPart)) {
       draft.plan.storage.element = element;
       const bool byte = element == Element::kByte;
       draft.decide("storage", byte ? "8 bits with a scale a coefficient" : "half",
-                   byte ? "half a scale for each number, bounded by what transfer can be, times the lights"
-                        : "2^-11 of each number, bounded by what transfer can be, times the lights",
-                   error, "bound");
+                   fmt::format("{}, {}", byte ? "half a scale for each number" : "2^-11 of each number",
+                               proves ? "bounded by what transfer can be, times the lights" : "at most"),
+                   error, proves ? "bound" : "measured");
       return;
     }
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "prt/plan/views.hpp"
+
 namespace sh::prt {
 
 namespace {
@@ -21,8 +23,9 @@ Draft::Draft(const Scene& the_scene, const std::string& the_instruction_set)
       asked(scene.bake),
       bake(asked),
       starts(ray_starts(scene.mesh)),
-      is_clustered(asked.compress.clusters > 0 && asked.kind->indirect == nullptr && options.mode != PlanMode::kLossy) {
+      is_clustered(asked.compress.clusters > 0 && options.mode != PlanMode::kLossy) {
   for (const Eigen::Vector3f& color : scene.mesh.albedo) albedo = std::max(albedo, color.maxCoeff());
+  if (asked.kind->is_glossy()) albedo = largest_reflectance(scene.mesh);
   plan.open.assign(starts.size(), asked.kind->traces_rays() ? 0 : 1);
   for (std::size_t v = 0; v < starts.size(); ++v) {
     const double angle = angle_between(scene.mesh.normals[v], scene.mesh.geometric_normals[v]);
@@ -76,12 +79,15 @@ TransferShape Draft::shape() const {
   return shape;
 }
 
-TransferShape Draft::stored_shape(bool clustered) const {
-  TransferShape stored = shape();
+RowShape Draft::stored_shape(bool clustered) const {
+  RowShape stored(*bake.kind, scene.mesh, bake.degree);
+  stored.numbers = shape();
   if (!clustered) return stored;
-  stored.storage.element = Element::kHalf;
-  stored.storage.clusters = static_cast<std::uint32_t>(std::min<std::size_t>(asked.compress.clusters, starts.size()));
-  stored.storage.vectors = static_cast<std::uint32_t>(std::min<std::size_t>(asked.compress.vectors, stored.length()));
+  Element& element = stored.numbers.storage.element;
+  if (!stored.matrices || element == Element::kSingle) element = Element::kHalf;
+  TransferShape& rows = stored.matrices ? *stored.matrices : stored.numbers;
+  rows.storage.clusters = static_cast<std::uint32_t>(std::min<std::size_t>(asked.compress.clusters, starts.size()));
+  rows.storage.vectors = static_cast<std::uint32_t>(std::min<std::size_t>(asked.compress.vectors, rows.length()));
   return stored;
 }
 
@@ -100,15 +106,15 @@ BakeOptions Draft::along(int directions) const {
 }
 
 double Draft::error_along(int directions) const {
-  const auto radiances = [&](const std::vector<float>& rows, const TransferShape& shape) {
+  const auto radiances = [&](const std::vector<float>& rows, const RowShape& shape) {
     return measurement->radiances(rows, shape);
   };
   const std::vector<float> rows = measurement->rows(along(directions), plan.open);
-  Measurement::Radiances error = radiances(measurement->kept(rows, shape()), shape());
+  Measurement::Radiances error = radiances(measurement->kept(rows, row_shape()), row_shape());
   if (!allows("directions")) {
     BakeOptions same = asked;
     same.directions = directions;
-    const Measurement::Radiances whole = radiances(measurement->rows(same), asked.kind->shape(asked.degree));
+    const Measurement::Radiances whole = radiances(measurement->rows(same), {*asked.kind, scene.mesh, asked.degree});
     for (std::size_t i = 0; i < error.size(); ++i) error[i] -= whole[i];
     return measurement->error(error) + loosened + room_for_clusters;
   }

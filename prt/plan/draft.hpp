@@ -23,14 +23,14 @@ struct Draft {
   const BakeOptions& asked;
   BakeOptions bake;  // as lowered by the decisions so far
   std::vector<RayStart> starts;
-  float albedo = 0.0F;  // the largest
+  float albedo = 0.0F;  // the largest; of glossy kinds the largest reflectance
   Plan plan;
   double left = 0.0;      // of the budget
   double reserved = 0.0;  // part of `left` that is reserved for directions
   // Only set for a plan with a budget:
   std::optional<TurningLight> light;  // of the asked degree
   std::optional<Measurement> measurement;
-  std::vector<float> many;           // numbers of the probe along many directions, for the current kind
+  std::vector<float> many;           // rows of the probe along many directions, for the current kind
   Measurement::Radiances reference;  // of the probe after the asked bake along many directions
   double unconverged = 0.0;          // error of `reference` itself, as the asked directions tell
   double loosened = 0.0;             // bound on the error of a looser tolerance than asked
@@ -51,21 +51,27 @@ struct Draft {
   /// The shape of a vertex's numbers after the decisions so far; count() is per channel.
   [[nodiscard]] TransferShape shape() const;
   [[nodiscard]] std::size_t count() const { return shape().count(); }
-  /// The same as a file stores it, with clusters if `clustered`: as many as the scene asks for.
-  [[nodiscard]] TransferShape stored_shape(bool clustered) const;
+  /// The shape of rows after the decisions so far, and as a file stores them, with clusters if `clustered`: as many as the
+  /// scene asks for.
+  [[nodiscard]] RowShape row_shape() const { return stored_shape(false); }
+  [[nodiscard]] RowShape stored_shape(bool clustered) const;
   [[nodiscard]] std::size_t traced() const;  // vertices that need rays
   [[nodiscard]] bool has_mirrors() const { return !scene.mesh.mirror.empty(); }
   [[nodiscard]] bool shines() const { return !scene.mesh.emission.empty(); }
-  /// The bound on band l of a transfer vector after the decisions so far.
+  /// The bound on band l of the numbers after the decisions so far.
   [[nodiscard]] double band_bound(int l) const { return transfer_band_bound(*bake.kind, has_mirrors(), l); }
+  /// The same of what a vertex makes of the light: of the vector itself, or of any vector that gains no energy.
+  [[nodiscard]] double exit_band_bound(int l) const {
+    return bake.kind->is_glossy() ? transfer_band_bound(kInterreflected, true, l) : band_bound(l);
+  }
   /// The relative exit radiance that a product of transfer and light causes; the product assumes albedo 1.
   [[nodiscard]] double relative(double product) const;
   /// The relative error if the numbers are off by at most e (bands^2 of the requested degree); e assumes albedo 1.
   [[nodiscard]] double error_of(const std::vector<double>& e) const;
   /// The most that bounces add to an error of direct light, 1 / (1 - largest albedo): no more than all light comes back.
   [[nodiscard]] double gain() const;
-  /// The shape of numbers along directions: of the current kind, the asked degree and plain storage.
-  [[nodiscard]] TransferShape traced_shape() const { return bake.kind->shape(asked.degree); }
+  /// The shape of rows along directions: of the current kind, the asked degree and plain storage.
+  [[nodiscard]] RowShape traced_shape() const { return {*bake.kind, scene.mesh, asked.degree}; }
   /// The current bake, along other directions.
   [[nodiscard]] BakeOptions along(int directions) const;
   /// The stated error of the plan so far with this many directions; that of the directions themselves counts only if the
@@ -88,6 +94,8 @@ void decide_channels(Draft& draft);
 void decide_bands(Draft& draft);
 void decide_symmetry(Draft& draft);
 void decide_storage(Draft& draft);
+/// The error that an element of the numbers makes, measured.
+double measured_error_of(const Draft& draft, Element element);
 /// Only where the scene asks for clusters: makes room for their error, if they take fewer bytes than rows.
 void decide_clusters(Draft& draft);
 /// The error of the requested number of directions alone, which the budget reserves; throws if it exceeds the budget.

@@ -5,10 +5,14 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <numeric>
 
 #include "prt/bake/gray.hpp"
+#include "prt/chunks.hpp"
+#include "prt/plan/views.hpp"
 #include "prt/rays/directions.hpp"
 #include "prt/rays/gather.hpp"
+#include "prt/runtime/glossy.hpp"
 #include "prt/transfer/storage.hpp"
 
 namespace sh::prt {
@@ -19,7 +23,7 @@ constexpr std::size_t kChannels = 3;
 constexpr double kRiskOfClosed = 0.05;  // of its light: a closed vertex may be decided differently by other rays
 constexpr int kTurnsAboutZ = 24;
 constexpr int kTurnsOfAnyAxis = 48;
-constexpr std::size_t kTurnsOfSpread = 4;
+constexpr std::size_t kTurnsOfSome = 4;
 constexpr std::uint32_t kReferenceSeed = 0x5EED;
 constexpr std::size_t kMostSources = 1;  // traced for the fill of a vertex, on average
 
@@ -58,6 +62,42 @@ double radiance_of(const float* row, const TransferShape& shape, const LightCoef
   return shape.holds_albedo ? sum : sum * static_cast<double>(albedo[static_cast<Eigen::Index>(channel)]);
 }
 
+// The same numbers for light and result of another degree, in plain storage.
+TransferShape of_degree(TransferShape shape, int degree) {
+  shape.degree = degree;
+  if (!shape.holds_cosine) shape.result_degree = degree;
+  shape.storage = {};
+  return shape;
+}
+
+// Appends the lower bands of numbers of shape `whole` to `low`, in the shape `part`.
+void append_lower(const float* numbers, const TransferShape& whole, const TransferShape& part,
+                  std::vector<float>& low) {
+  for (std::size_t c = 0; c < part.channels; ++c) {
+    for (std::size_t r = 0; r < part.rows(); ++r) {
+      const float* from = numbers + c * whole.count() + r * whole.columns();
+      low.insert(low.end(), from, from + part.columns());
+    }
+  }
+}
+
+// A transfer of rows, without a mesh but for its size.
+Transfer transfer_of(const std::vector<float>& rows, const RowShape& shape) {
+  Transfer transfer;
+  transfer.kind = shape.matrices ? &kGlossyInterreflected : &kGlossyShadowed;
+  transfer.shape = shape.numbers;
+  transfer.shape.storage = {};
+  if (shape.matrices) transfer.indirect_shape = *shape.matrices;
+  const std::size_t length = shape.length();
+  transfer.mesh.positions.resize(rows.size() / length);
+  for (auto row = rows.begin(); row < rows.end(); row += static_cast<std::ptrdiff_t>(length)) {
+    const auto matrix = row + static_cast<std::ptrdiff_t>(shape.numbers.length());
+    transfer.coefficients.insert(transfer.coefficients.end(), row, matrix);
+    transfer.indirect.insert(transfer.indirect.end(), matrix, row + static_cast<std::ptrdiff_t>(length));
+  }
+  return transfer;
+}
+
 }  // namespace
 
 double radiance_bound(const float* row, const TransferShape& shape, const TurningLight& light,
@@ -76,21 +116,25 @@ double radiance_bound(const float* row, const TransferShape& shape, const Turnin
   return largest;
 }
 
-double worst_radiance(const std::vector<float>& rows, const TransferShape& shape, const Mesh& mesh,
-                      const std::vector<LightCoefficients>& lights) {
+double worst_radiance(const Transfer& transfer, const std::vector<LightCoefficients>& lights) {
+  const Mesh& mesh = transfer.mesh;
   double worst = 0.0;
   for (const LightCoefficients& light : lights) {
-    const LightCoefficients low = first_bands(light, shape.degree);
-    double squares = 0.0;
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-      double largest = 0.0;
-      for (std::size_t c = 0; c < kChannels; ++c) {
-        largest =
-            std::max(largest, std::abs(radiance_of(rows.data() + v * shape.length(), shape, low, c, mesh.albedo[v])));
+    const LightCoefficients low = first_bands(light, transfer.degree());
+    std::vector<double> squares(mesh.positions.size());
+    if (transfer.kind->is_glossy()) {
+      squares = seen_squares(TransferredRadiance(transfer, low), mesh);
+    } else {
+      for (std::size_t v = 0; v < squares.size(); ++v) {
+        double largest = 0.0;
+        for (std::size_t c = 0; c < kChannels; ++c) {
+          largest = std::max(largest, std::abs(radiance_of(transfer.row(v), transfer.shape, low, c, mesh.albedo[v])));
+        }
+        squares[v] = largest * largest;
       }
-      squares += largest * largest;
     }
-    worst = std::max(worst, std::sqrt(squares / static_cast<double>(mesh.positions.size())));
+    const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
+    worst = std::max(worst, std::sqrt(sum / static_cast<double>(squares.size())));
   }
   return worst;
 }
@@ -105,7 +149,8 @@ Measurement::Measurement(const Scene& scene, const LightCoefficients& light, Lig
   } else {
     rehearsals_.push_back(std::make_unique<Rehearsal>(scene.mesh, scene.bake, instruction_set));
   }
-  probe_ = choose_probe(likely_errors(TurningLight(light, turns)));
+  probe_ =
+      choose_probe(scene.bake.kind->is_glossy() ? likely_glossy_errors() : likely_errors(TurningLight(light, turns)));
   part_.emplace(
       scene.mesh, probe_.vertices,
       [this](std::uint32_t v) {
@@ -114,10 +159,14 @@ Measurement::Measurement(const Scene& scene, const LightCoefficients& light, Lig
         });
       },
       kMostSources);
-  const std::vector<LightCoefficients> some(lights_.begin(),
-                                            lights_.begin() + std::min(lights_.size(), kTurnsOfSpread));
-  for (const auto& rehearsal : rehearsals_) spread_ = std::max(spread_, rehearsal->spread(some));
+  for (const auto& rehearsal : rehearsals_) spread_ = std::max(spread_, rehearsal->spread(some_lights()));
 }
+
+std::vector<LightCoefficients> Measurement::some_lights() const {
+  return {lights_.begin(), lights_.begin() + std::min(lights_.size(), kTurnsOfSome)};
+}
+
+std::size_t Measurement::eyes() const { return scene_.bake.kind->is_glossy() ? Views::kEyes : 1; }
 
 // By how much the coarse bakes differ.
 std::vector<double> Measurement::likely_errors(const TurningLight& light) const {
@@ -139,6 +188,25 @@ std::vector<double> Measurement::likely_errors(const TurningLight& light) const 
   return errors;
 }
 
+// The same, as exit radiance towards the eyes.
+std::vector<double> Measurement::likely_glossy_errors() const {
+  const Rehearsal& rehearsal = *rehearsals_[0];
+  const Transfer difference = rehearsal.difference();
+  Transfer whole = difference;
+  whole.coefficients = rehearsal.coarse(0);
+  std::vector<double> errors(scene_.mesh.positions.size(), 0.0);
+  for (const LightCoefficients& light : some_lights()) {
+    const std::vector<double> squares = seen_squares(TransferredRadiance(difference, light), scene_.mesh);
+    const std::vector<double> own = seen_squares(TransferredRadiance(whole, light), scene_.mesh);
+    for (std::size_t v = 0; v < errors.size(); ++v) {
+      const float closed = std::max(rehearsal.sight(0)[v].closed(), rehearsal.sight(1)[v].closed());
+      errors[v] =
+          std::max({errors[v], std::sqrt(squares[v]), kRiskOfClosed * static_cast<double>(closed) * std::sqrt(own[v])});
+    }
+  }
+  return errors;
+}
+
 std::vector<float> Measurement::rows(const BakeOptions& options, const std::vector<std::uint8_t>& open) const {
   std::vector<float> rows = rehearsals_[0]->rows(options, *part_, open);
   const TransferShape shape = options.kind->shape(scene_.bake.degree);
@@ -151,29 +219,49 @@ std::vector<float> Measurement::rows(const BakeOptions& options, const std::vect
   return rows;
 }
 
-std::vector<float> Measurement::kept(const std::vector<float>& rows, const TransferShape& shape) const {
-  const std::size_t asked = coefficient_count(scene_.bake.degree);
-  std::vector<float> cut;
-  for (std::size_t first = 0; first < rows.size(); first += asked) {
-    cut.insert(cut.end(), rows.begin() + first, rows.begin() + first + shape.count());
+std::vector<float> Measurement::kept(const std::vector<float>& rows, const RowShape& shape) const {
+  const RowShape asked = [&] {
+    RowShape whole = of_degree(shape.numbers, scene_.bake.degree);
+    if (shape.matrices) whole.matrices = of_degree(*shape.matrices, scene_.bake.degree);
+    return whole;
+  }();
+  std::vector<float> numbers;
+  std::vector<float> matrices;
+  for (std::size_t first = 0; first < rows.size(); first += asked.length()) {
+    append_lower(rows.data() + first, asked.numbers, shape.numbers, numbers);
+    if (!shape.matrices) continue;
+    append_lower(rows.data() + first + asked.numbers.length(), *asked.matrices, *shape.matrices, matrices);
   }
   // The scales of 8 bits come from the largest numbers of the whole mesh, which a last row holds.
-  std::vector<float> largest(shape.length(), 0.0F);
-  const bool same = shape.channels == scene_.bake.kind->shape(0).channels;
+  const std::size_t columns = asked.numbers.count();
+  std::vector<float> largest(shape.numbers.length(), 0.0F);
+  const bool same = shape.numbers.channels == scene_.bake.kind->shape(0).channels;
   const std::vector<float>& coarse = rehearsals_[0]->coarse(0);
   for (std::size_t i = 0; same && i < coarse.size(); ++i) {
-    const std::size_t column = i % asked;
-    if (column >= shape.count()) continue;
-    float& most = largest[i / asked % shape.channels * shape.count() + column];
+    const std::size_t column = i % columns;
+    if (column >= shape.numbers.count()) continue;
+    float& most = largest[i / columns % shape.numbers.channels * shape.numbers.count() + column];
     most = std::max(most, std::abs(coarse[i]));
   }
-  cut.insert(cut.end(), largest.begin(), largest.end());
-  std::vector<float> back = decode(encode(cut, shape), shape);
-  back.resize(back.size() - shape.length());
+  numbers.insert(numbers.end(), largest.begin(), largest.end());
+  numbers = decode(encode(numbers, shape.numbers), shape.numbers);
+  numbers.resize(numbers.size() - shape.numbers.length());
+  if (!shape.matrices) return numbers;
+  matrices = decode(encode(matrices, *shape.matrices), *shape.matrices);
+  std::vector<float> back;
+  for (std::size_t i = 0; i * asked.length() < rows.size(); ++i) {
+    const auto append = [&](const std::vector<float>& from, std::size_t length) {
+      back.insert(back.end(), from.data() + i * length, from.data() + (i + 1) * length);
+    };
+    append(numbers, shape.numbers.length());
+    append(matrices, shape.matrices->length());
+  }
   return back;
 }
 
-Measurement::Radiances Measurement::radiances(const std::vector<float>& rows, const TransferShape& shape) const {
+Measurement::Radiances Measurement::radiances(const std::vector<float>& rows, const RowShape& row_shape) const {
+  if (scene_.bake.kind->is_glossy()) return glossy_radiances(rows, row_shape);
+  const TransferShape& shape = row_shape.numbers;
   Radiances radiances;
   for (const LightCoefficients& light : lights_) {
     const LightCoefficients low = first_bands(light, shape.degree);
@@ -187,15 +275,43 @@ Measurement::Radiances Measurement::radiances(const std::vector<float>& rows, co
   return radiances;
 }
 
+Measurement::Radiances Measurement::glossy_radiances(const std::vector<float>& rows, const RowShape& shape) const {
+  const Transfer probe = transfer_of(rows, shape);
+  const std::size_t numbers = eyes() * kChannels;  // of a vertex
+  Radiances radiances(lights_.size() * part_->wanted() * numbers);
+  std::vector<TransferredRadiance> reaching;
+  for (const LightCoefficients& light : lights_) reaching.emplace_back(probe, first_bands(light, probe.degree()));
+  for_vertices(part_->wanted(), [&](std::size_t i) {
+    const Views views(scene_.mesh, part_->vertices()[i], probe.degree());
+    for (std::size_t t = 0; t < lights_.size(); ++t) {
+      double* to = radiances.data() + (t * part_->wanted() + i) * numbers;
+      for (const Eigen::Vector3d& seen : views.radiance(reaching[t].at(i))) {
+        to = std::transform(seen.begin(), seen.end(), to, [this](double radiance) { return radiance / unit_; });
+      }
+    }
+  });
+  return radiances;
+}
+
 double Measurement::error(const Radiances& difference) const {
   double worst = 0.0;
+  const auto eyes = static_cast<double>(this->eyes());
   std::vector<double> squares(part_->wanted());
+  std::vector<double> variances(eyes > 1.0 ? squares.size() : 0);
+  const double* e = difference.data();
   for (std::size_t t = 0; t < lights_.size(); ++t) {
     for (std::size_t i = 0; i < squares.size(); ++i) {
-      const double* e = difference.data() + (t * squares.size() + i) * kChannels;
-      squares[i] = std::pow(std::max({std::abs(e[0]), std::abs(e[1]), std::abs(e[2])}), 2);
+      double sum = 0.0;
+      double fourth = 0.0;
+      for (std::size_t eye = 0; eye < this->eyes(); ++eye, e += kChannels) {
+        const double square = std::pow(std::max({std::abs(e[0]), std::abs(e[1]), std::abs(e[2])}), 2);
+        sum += square;
+        fourth += square * square;
+      }
+      squares[i] = sum / eyes;
+      if (!variances.empty()) variances[i] = std::max(0.0, fourth - sum * squares[i]) / (eyes * (eyes - 1.0));
     }
-    worst = std::max(worst, stated_error(probe_, squares, scene_.mesh.positions.size()));
+    worst = std::max(worst, stated_error(probe_, squares, scene_.mesh.positions.size(), variances));
   }
   return worst;
 }

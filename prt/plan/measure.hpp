@@ -1,6 +1,6 @@
 // Measures errors of exit radiance on a probe of vertices (prt/plan/probe.hpp), for plans. Coarse bakes of the whole mesh
 // (prt/plan/rehearsal.hpp) tell where errors are likely. What is stated is the error for the worst of some turns of the
-// light.
+// light. Glossy surfaces are seen from many sides (prt/plan/views.hpp); their error is the RMS over these, too.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -21,27 +21,27 @@ namespace sh::prt {
 double radiance_bound(const float* row, const TransferShape& shape, const TurningLight& light,
                       const Eigen::Vector3f& albedo);
 
-/// RMS over the vertices of `mesh` of the exit radiance that rows (vertices, shape.length()) give in the largest channel,
-/// for the worst of these lights, which may have a higher degree: an error, if the rows are differences.
-double worst_radiance(const std::vector<float>& rows, const TransferShape& shape, const Mesh& mesh,
-                      const std::vector<LightCoefficients>& lights);
+/// RMS over the vertices, and the eyes of glossy transfer, of exit radiance in the largest channel, for the worst of these
+/// lights, which may have a higher degree: an error, if the numbers are differences. Rows are complete.
+double worst_radiance(const Transfer& transfer, const std::vector<LightCoefficients>& lights);
 
 class Measurement {
  public:
   static constexpr int kReference = 8192;  // directions, at least
 
-  /// Exit radiances of the probe, (turns, vertices of the probe, 3), over the unit of errors.
+  /// Exit radiances of the probe, (turns, vertices of the probe, eyes, 3), over the unit of errors. Diffuse kinds have one
+  /// eye.
   using Radiances = std::vector<double>;
 
   /// `light` has the asked degree; errors are relative to the radiance `unit`.
   Measurement(const Scene& scene, const LightCoefficients& light, LightTurns turns, double unit,
               const std::string& instruction_set);
 
-  /// The numbers of the probe as a bake with these options makes them, at the asked degree, in the shape of their kind.
+  /// The rows of the probe as a bake with these options makes them, at the asked degree, in the RowShape of their kind.
   [[nodiscard]] std::vector<float> rows(const BakeOptions& options, const std::vector<std::uint8_t>& open = {}) const;
   /// The same numbers after a file has kept them in `shape`, whose degree may be lower, and lost the others.
-  [[nodiscard]] std::vector<float> kept(const std::vector<float>& rows, const TransferShape& shape) const;
-  [[nodiscard]] Radiances radiances(const std::vector<float>& rows, const TransferShape& shape) const;
+  [[nodiscard]] std::vector<float> kept(const std::vector<float>& rows, const RowShape& shape) const;
+  [[nodiscard]] Radiances radiances(const std::vector<float>& rows, const RowShape& shape) const;
   /// The stated error for differences of radiances.
   [[nodiscard]] double error(const Radiances& difference) const;
   /// The factor by which bounces spread differences that directions make (Rehearsal::spread); 1 without bounces.
@@ -61,6 +61,11 @@ class Measurement {
 
  private:
   [[nodiscard]] std::vector<double> likely_errors(const TurningLight& light) const;
+  [[nodiscard]] std::vector<double> likely_glossy_errors() const;
+  [[nodiscard]] Radiances glossy_radiances(const std::vector<float>& rows, const RowShape& shape) const;
+  [[nodiscard]] std::size_t eyes() const;
+  // The first turns of the light, for what takes long.
+  [[nodiscard]] std::vector<LightCoefficients> some_lights() const;
 
   const Scene& scene_;
   double unit_;

@@ -9,6 +9,7 @@
 
 #include "prt/light/light.hpp"
 #include "prt/plan/draft.hpp"
+#include "prt/plan/views.hpp"
 
 namespace sh::prt {
 
@@ -30,7 +31,8 @@ void take_lights(Draft& draft) {
   const LightCoefficients whole = project(load_lights(draft.scene.lights, OnFlaw::kMend), kMaxDegree);
   const LightCoefficients light = first_bands(whole, draft.asked.degree);
   draft.light.emplace(light, draft.options.turns);
-  draft.plan.reference = largest_unshadowed_radiance(draft.scene.mesh, light);
+  draft.plan.reference = draft.asked.kind->is_glossy() ? largest_glossy_radiance(draft.scene.mesh, light)
+                                                       : largest_unshadowed_radiance(draft.scene.mesh, light);
   if (!(draft.plan.reference > 0.0)) {
     throw std::invalid_argument(
         fmt::format("{}: its lights leave the mesh dark, and errors are relative to its radiance: expected a "
@@ -39,7 +41,7 @@ void take_lights(Draft& draft) {
   }
   draft.plan.beyond = draft.relative(
       TurningLight(whole, draft.options.turns).largest_product_of_bands(draft.asked.degree + 1, [&](int l) {
-        return draft.band_bound(l);
+        return draft.exit_band_bound(l);
       }));
 }
 
@@ -60,22 +62,20 @@ struct Step {
   bool (TransferKind::*applies)() const = nullptr;  // null: to every kind
 };
 
-constexpr std::array kSteps = {
-    Step{"analytic", decide_analytic, true},  Step{"bounces", decide_bounces, false, &TransferKind::has_bounces},
-    Step{"channels", decide_channels, true},  Step{"bands", decide_bands},
-    Step{"symmetry", decide_symmetry},        Step{"storage", decide_storage},
-    Step{kClustersDecision, decide_clusters}, Step{"directions", decide_directions, false, &TransferKind::traces_rays}};
+constexpr std::array kSteps = {Step{"analytic", decide_analytic, true},
+                               Step{"bounces", decide_bounces, false, &TransferKind::has_bounces},
+                               Step{"channels", decide_channels, true},
+                               Step{"bands", decide_bands, false, &TransferKind::stores_numbers},
+                               Step{"symmetry", decide_symmetry, false, &TransferKind::is_diffuse},
+                               Step{"storage", decide_storage, false, &TransferKind::stores_numbers},
+                               Step{kClustersDecision, decide_clusters, false, &TransferKind::stores_numbers},
+                               Step{"directions", decide_directions, false, &TransferKind::traces_rays}};
 
 }  // namespace
 
 Plan make_plan(Scene& scene, const std::string& instruction_set) {
   const bool is_lossy = scene.plan.mode == PlanMode::kLossy;
   check(scene.plan);
-  if (is_lossy && scene.bake.kind->is_glossy()) {
-    throw std::invalid_argument(
-        fmt::format("{}: plans with an error are for diffuse transfer; expected the plan exact or none for {}",
-                    scene.name, scene.bake.kind->word));
-  }
   Draft draft(scene, instruction_set);
   if (scene.plan.mode == PlanMode::kNone) {
     draft.plan.open.clear();
@@ -85,7 +85,7 @@ Plan make_plan(Scene& scene, const std::string& instruction_set) {
     draft.plan.record.budget = draft.left = scene.plan.error;
     draft.plan.record.light_turns = name_of(scene.plan.turns);
     take_lights(draft);
-    take_measurement(draft);
+    if (scene.bake.kind->stores_numbers()) take_measurement(draft);
     const bool fewer = scene.bake.kind->traces_rays() && draft.allows("directions");
     draft.reserved = fewer ? floor_of_directions(draft) : 0.0;
   }

@@ -2,12 +2,12 @@
 // that it introduces. Errors are errors of exit radiance, RMS over the vertices. They are relative to the largest exit
 // radiance of the unshadowed mesh under the declared lights (any vertex, any channel). The reference is a bake of the
 // requested degree and kind with converged directions, under the declared lights as a whole, with all rotations that
-// PlanOptions allows. The loss by the requested degree itself is reported separately and not counted.
+// PlanOptions allows. Errors of glossy kinds are RMS over the eyes, too (prt/plan/views.hpp). The loss by the requested degree itself is reported separately and not counted.
 //   analytic    vertices with nothing above their horizon: closed form, no rays (prt/plan/open_vertices.hpp)
 //   bounces     none, or a looser tolerance, if little light comes back
 //   channels    one, if every albedo is gray
 //   bands       a lower degree, if the omitted bands add little
-//   symmetry    only the coefficients that the lights have
+//   symmetry    only the coefficients that the lights have; diffuse kinds only
 //   storage     half or 8 bits
 //   clusters    those that the scene asks for, if the bake finds that they lose little; only if it asks
 //   directions  the fewest for which the error of all decisions together stays within the budget

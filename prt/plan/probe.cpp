@@ -25,13 +25,15 @@ Probe choose_probe(const std::vector<double>& likely) {
   return probe;
 }
 
-double stated_error(const Probe& probe, const std::vector<double>& squares, std::size_t vertices) {
+double stated_error(const Probe& probe, const std::vector<double>& squares, std::size_t vertices,
+                    const std::vector<double>& variances) {
   double sum = 0.0;
   double variance = 0.0;
   for (std::size_t i = 0; i < squares.size(); ++i) {
     const double square = squares[i] / probe.chances[i];
     sum += square;
     variance += (1.0 - probe.chances[i]) * square * square;
+    if (!variances.empty()) variance += variances[i] / probe.chances[i];
   }
   return std::sqrt((sum + Probe::kDeviations * std::sqrt(variance)) / static_cast<double>(vertices));
 }

@@ -3,6 +3,7 @@
 //   mean square error = 1/V * sum over the probe of e_v^2 / p_v            [HorvitzThompson52]
 // has no bias, and its standard error is about
 //   1/V * sqrt(sum over the probe of (1 - p_v) e_v^4 / p_v^2).
+// Where e_v^2 is itself a mean over some eyes, of the variance s_v^2, the sum also has s_v^2 / p_v [Cochran77, section 11.8].
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +23,9 @@ struct Probe {
 /// likely (vertices): how large the error of each vertex may be, in any unit; all of them may be 0.
 Probe choose_probe(const std::vector<double>& likely);
 
-/// The root of the mean square plus kDeviations standard errors over all of the mesh's `vertices`; squares (of the probe).
-double stated_error(const Probe& probe, const std::vector<double>& squares, std::size_t vertices);
+/// The root of the mean square plus kDeviations standard errors over all of the mesh's `vertices`; squares (of the probe),
+/// and their variances where they are means, else empty.
+double stated_error(const Probe& probe, const std::vector<double>& squares, std::size_t vertices,
+                    const std::vector<double>& variances = {});
 
 }  // namespace sh::prt

@@ -1,16 +1,23 @@
 #include "prt/plan/rehearsal.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 #include "prt/bake/bounces.hpp"
+#include "prt/bake/glossy_bounces.hpp"
+#include "prt/bake/glossy_exit.hpp"
 #include "prt/bake/shadow_pass.hpp"
 #include "prt/bake/steps.hpp"
+#include "prt/chunks.hpp"
+#include "prt/plan/views.hpp"
+#include "prt/runtime/glossy.hpp"
 #include "prt/transfer/unshadowed.hpp"
 
 namespace sh::prt {
@@ -27,11 +34,14 @@ BakeOptions with(BakeOptions options, int directions, Sampler sampler, std::uint
   return options;
 }
 
-// Traces vertices; returns their shadowed vectors and sights, and adds their rows to `factors` unless it is null. The
+// What rays tell of this kind, before bounces.
+const TransferKind& direct_kind(const TransferKind& kind) { return kind.is_glossy() ? kGlossyShadowed : kShadowed; }
+
+// Traces vertices; returns their shadowed numbers and sights, and adds their rows to `factors` unless it is null. The
 // tables have a row for every vertex of the mesh.
 ShadowResult traced(const RaySetup& setup, const std::vector<std::uint32_t>& vertices,
                     const std::vector<std::uint8_t>& open, Transfer& transfer, FormFactors* factors) {
-  transfer.coefficients = unshadowed_transfer(transfer.degree(), setup.mesh.normals);
+  transfer.coefficients = unshadowed_transfer(transfer.shape, setup.mesh);
   ShadowResult result{transfer, std::vector<Sight>(setup.mesh.positions.size()), factors};
   if (!vertices.empty()) ShadowPass(setup, open, result).sample(vertices, std::numeric_limits<double>::infinity());
   return result;
@@ -41,8 +51,8 @@ ShadowResult traced(const RaySetup& setup, const std::vector<std::uint32_t>& ver
 
 Rehearsal::Half::Half(const RaySetup& first, const BakeOptions& options)
     : setup(first, options),
-      transfer(Transfer::of(kShadowed, options.degree)),
-      factors(options.kind->has_bounces() ? first.mesh.positions.size() : 0) {}
+      transfer(Transfer::of(direct_kind(*options.kind), options.degree)),
+      factors(options.kind->has_form_factors() ? first.mesh.positions.size() : 0) {}
 
 Rehearsal::Rehearsal(Mesh mesh, const BakeOptions& asked, const std::string& instruction_set)
     : mesh_(std::move(mesh)),
@@ -61,13 +71,19 @@ BakeOptions Rehearsal::coarse_options(std::uint32_t half) const {
 }
 
 void Rehearsal::bake(Half& half) const {
-  const bool bounces = asked_.kind->has_bounces();
+  const bool bounces = asked_.kind->has_form_factors();
   std::vector<std::uint32_t> all(asked_.kind->traces_rays() ? mesh_.positions.size() : 0);
   std::iota(all.begin(), all.end(), 0U);
   half.sight = traced(half.setup, all, {}, half.transfer, bounces ? &half.factors : nullptr).sight;
   Fill fill(closed_vertices(mesh_, half.sight));
   const std::size_t length = half.transfer.shape.length();
   fill.apply(half.transfer.coefficients.data(), length, length);
+  if (asked_.kind->indirect != nullptr) {
+    half.transfer.kind = asked_.kind;
+    half.transfer.scene = "its coarse bake";
+    solve_glossy_bounces(half.setup, {half.transfer, half.sight, nullptr}, {}, SIZE_MAX,
+                         {.tolerance = kCoarseTolerance});
+  }
   if (!bounces) return;
   half.factors.fill_with(std::move(fill));
   const BounceLayout layout{half.transfer.shape.count()};
@@ -79,17 +95,17 @@ void Rehearsal::bake(Half& half) const {
 
 std::vector<float> Rehearsal::rows(const BakeOptions& options, const TracedPart& part,
                                    const std::vector<std::uint8_t>& open) const {
-  const bool bounces = options.kind->has_bounces();
+  const bool bounces = options.kind->has_form_factors();
   BakeOptions full = options;
   full.degree = asked_.degree;
   const RaySetup setup(first_, full);
-  Transfer direct = Transfer::of(kShadowed, full.degree);
+  Transfer direct = Transfer::of(direct_kind(*options.kind), full.degree);
   FormFactors factors(bounces ? mesh_.positions.size() : 0);
   const bool traces = options.kind->traces_rays();
   const ShadowResult result = traced(setup, traces ? part.vertices() : std::vector<std::uint32_t>(), open, direct,
                                      bounces ? &factors : nullptr);
-  const TransferShape shape = options.kind->shape(full.degree);
-  const std::size_t count = shape.count();
+  const RowShape shape(*options.kind, mesh_, full.degree);
+  const std::size_t count = shape.numbers.count();
   const std::size_t length = shape.length();
   std::vector<float> rows(part.size() * length);
   std::vector<Sight> sight;
@@ -97,7 +113,7 @@ std::vector<float> Rehearsal::rows(const BakeOptions& options, const TracedPart&
     const std::uint32_t v = part.vertices()[i];
     sight.push_back(result.sight[v]);
     float* row = rows.data() + i * length;
-    for (std::size_t c = 0; c < shape.channels; ++c) std::copy_n(direct.row(v), count, row + c * count);
+    for (std::size_t c = 0; c < shape.numbers.channels; ++c) std::copy_n(direct.row(v), count, row + c * count);
     if (!bounces) continue;
     for (const FormFactor& factor : factors.row(v)) {
       const auto weight = static_cast<float>(factor.weight) / 2.0F;
@@ -106,16 +122,105 @@ std::vector<float> Rehearsal::rows(const BakeOptions& options, const TracedPart&
       for (std::size_t k = 0; k < length; ++k) row[k] += weight * (x[k] + y[k]);
     }
   }
+  if (shape.matrices) gather_from_lobes(options, setup, part, open, rows.data());
   part.fill(sight).apply(rows.data(), length, length);
   rows.resize(part.wanted() * length);
-  for (std::size_t i = 0; shape.holds_albedo && i < rows.size(); ++i) {
+  for (std::size_t i = 0; shape.numbers.holds_albedo && i < rows.size(); ++i) {
     rows[i] *= mesh_.albedo[part.vertices()[i / length]][static_cast<Eigen::Index>(i % length / count)];
   }
   return rows;
 }
 
+// What reaches every vertex, by the mean of the coarse bakes.
+MatrixTable Rehearsal::reaching(int degree) const {
+  const std::size_t whole = coefficient_count(2 * asked_.degree);
+  const std::size_t some = coefficient_count(2 * degree);
+  std::vector<float> visibility(mesh_.positions.size() * some);
+  for (std::size_t i = 0; i < visibility.size(); ++i) {
+    const std::size_t at = i / some * whole + i % some;
+    visibility[i] = (coarse(0)[at] + coarse(1)[at]) / 2.0F;
+  }
+  MatrixTable table(mesh_, degree);
+  table.take_direct(visibility.data());
+  for (const auto& half : halves_) table.add(half->transfer.indirect, half->transfer.indirect_shape, 0.5F);
+  return table;
+}
+
+// Writes the matrices of `rows`: one bounce of what leaves the surfaces by the mean of the coarse bakes.
+void Rehearsal::gather_from_lobes(const BakeOptions& options, const RaySetup& setup, const TracedPart& part,
+                                  const std::vector<std::uint8_t>& open, float* rows) const {
+  const MatrixTable light = reaching(options.degree);
+  const GlossyExit leaving(mesh_, light);
+  const RowShape shape(*options.kind, mesh_, asked_.degree);
+  tbb::enumerable_thread_specific<Gatherer> tracers(
+      [&] { return Gatherer(setup.mesh, setup.starts, setup.tracer, setup.directions); });
+  for_vertices(part.size(), [&](std::size_t i) {
+    const std::uint32_t v = part.vertices()[i];
+    if (!open.empty() && open[v] != 0) return;
+    std::vector<float> matrix(light.size);
+    leaving.collect(rays_to_fronts(tracers.local(), mesh_, v), setup.directions.size(), matrix.data());
+    float* to = rows + i * shape.length() + shape.numbers.length();
+    for (std::size_t c = 0; c < light.channels; ++c) {
+      for (std::size_t k = 0; k < light.count; ++k) {
+        std::copy_n(matrix.data() + k * light.row + c * light.count, light.count,
+                    to + c * shape.matrices->count() + k * shape.matrices->columns());
+      }
+    }
+  });
+}
+
+Transfer Rehearsal::difference() const {
+  Transfer difference = halves_[0]->transfer;
+  const Transfer& other = halves_[1]->transfer;
+  const auto subtract = [](std::vector<float>& from, const std::vector<float>& what) {
+    std::transform(from.begin(), from.end(), what.begin(), from.begin(), std::minus<>());
+  };
+  subtract(difference.coefficients, other.coefficients);
+  subtract(difference.indirect, other.indirect);
+  difference.mesh.positions.resize(mesh_.positions.size());
+  return difference;
+}
+
+// The same as spread(), with exit radiance towards the eyes of plans.
+double Rehearsal::spread_between_lobes(const std::vector<LightCoefficients>& lights) const {
+  const std::size_t vertices = mesh_.positions.size();
+  Transfer difference = this->difference();
+  MatrixTable whole(mesh_, asked_.degree);
+  whole.take_direct(difference.coefficients.data());
+  whole.add(difference.indirect, difference.indirect_shape);
+  const GlossyExit leaving(mesh_, whole);
+  MatrixTable local = whole;  // whole - K whole, K the mean operator of the coarse bakes
+  for (const auto& half : halves_) {
+    const RaySetup& setup = half->setup;
+    tbb::enumerable_thread_specific<Gatherer> tracers(
+        [&] { return Gatherer(setup.mesh, setup.starts, setup.tracer, setup.directions); });
+    MatrixTable reflected(mesh_, asked_.degree);
+    for_vertices(vertices, [&](std::size_t v) {
+      leaving.collect(rays_to_fronts(tracers.local(), mesh_, v), setup.directions.size(), reflected.of(v));
+    });
+    Fill(closed_vertices(mesh_, half->sight)).apply(reflected.values.data(), reflected.size, reflected.size);
+    for (std::size_t i = 0; i < local.values.size(); ++i) local.values[i] -= reflected.values[i] / 2.0F;
+  }
+  std::fill(difference.coefficients.begin(), difference.coefficients.end(), 0.0F);
+  const auto squares = [&](const MatrixTable& table) {
+    for_vertices(vertices, [&](std::size_t v) {
+      table.copy(v, difference.indirect.data() + v * difference.indirect_shape.length());
+    });
+    double sum = 0.0;
+    for (const LightCoefficients& light : lights) {
+      const std::vector<double> seen = seen_squares(TransferredRadiance(difference, light), mesh_);
+      sum = std::accumulate(seen.begin(), seen.end(), sum);
+    }
+    return sum;
+  };
+  const double after = squares(whole);
+  const double before = squares(local);
+  return before > 0.0 ? std::max(1.0, std::sqrt(after / before)) : 1.0;
+}
+
 double Rehearsal::spread(const std::vector<LightCoefficients>& lights) const {
   if (!asked_.kind->has_bounces()) return 1.0;
+  if (asked_.kind->indirect != nullptr) return spread_between_lobes(lights);
   const std::size_t vertices = mesh_.positions.size();
   const TransferShape shape = asked_.kind->shape(asked_.degree);
   Panel difference(vertices, kChannels * lights.size());

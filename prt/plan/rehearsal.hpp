@@ -11,6 +11,7 @@
 #include "prt/bake/row_tracer.hpp"
 #include "prt/bake/traced_part.hpp"
 #include "prt/light/light_coefficients.hpp"
+#include "prt/plan/row_shape.hpp"
 #include "prt/scene/options.hpp"
 
 namespace sh::prt {
@@ -27,12 +28,15 @@ class Rehearsal {
   [[nodiscard]] const std::vector<float>& coarse(std::size_t half) const {
     return halves_[half]->transfer.coefficients;
   }
+  /// The same minus those of the other bake, with its matrices; without the mesh but for its size.
+  [[nodiscard]] Transfer difference() const;
   [[nodiscard]] const std::vector<Sight>& sight(std::size_t half) const { return halves_[half]->sight; }
   /// Rays of one bake of the whole mesh for each direction, the mean of both coarse bakes.
   [[nodiscard]] double rays_a_direction() const { return rays_a_direction_; }
 
-  /// The numbers of the wanted vertices of a part, (wanted, length of the kind of `options`), as a bake with these options
-  /// makes them; vertices with open != 0 are unshadowed, none if `open` is empty. The degree is the asked one.
+  /// The rows of the wanted vertices of a part, (wanted, length of the RowShape of the kind of `options`), as a bake with
+  /// these options makes them; vertices with open != 0 are unshadowed, none if `open` is empty. The degree is the asked
+  /// one; light bounces between lobes at the degree of `options`, and matrices are zero above it.
   [[nodiscard]] std::vector<float> rows(const BakeOptions& options, const TracedPart& part,
                                         const std::vector<std::uint8_t>& open) const;
 
@@ -50,6 +54,10 @@ class Rehearsal {
   };
   [[nodiscard]] BakeOptions coarse_options(std::uint32_t half) const;
   void bake(Half& half) const;
+  [[nodiscard]] MatrixTable reaching(int degree) const;
+  void gather_from_lobes(const BakeOptions& options, const RaySetup& setup, const TracedPart& part,
+                         const std::vector<std::uint8_t>& open, float* rows) const;
+  [[nodiscard]] double spread_between_lobes(const std::vector<LightCoefficients>& lights) const;
 
   Mesh mesh_;
   BakeOptions asked_;

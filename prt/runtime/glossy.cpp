@@ -5,24 +5,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/relight_rgb.hpp"
-#include "numeric/oracle/zonal.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 #include "prt/kinds/kinds.hpp"
 #include "prt/material/lobe.hpp"
-#include "prt/material/reflected.hpp"
 #include "prt/mesh/corners.hpp"
 #include "prt/runtime/lit_clusters.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/shading_normals.hpp"
 #include "prt/transfer/visibility.hpp"
-#include "prt/zonal.hpp"
 
 namespace sh::prt {
 
@@ -76,18 +72,8 @@ Eigen::Vector3f summed(int degree, const float* lobe, const float* reaching) {
   return sums;
 }
 
-// What a lobe about a direction gathers of every channel.
-template <class Factor>
-Eigen::Vector3f gathered(int degree, const Eigen::Vector3f& direction, const Factor& factor, const float* reaching) {
-  std::array<float, kMostCoefficients> lobe;
-  zonal_about(degree, direction, factor, lobe.data());
-  return summed(degree, lobe.data(), reaching);
-}
-
 // What the corners of a face add to a hit.
 std::array<float, 3> parts_of(const Hit& hit) { return {1.0F - hit.u - hit.v, hit.u, hit.v}; }
-
-double diffuse_factor(int l) { return numeric::clamped_cosine_factor<double>(l) / std::numbers::pi; }
 
 }  // namespace
 
@@ -157,21 +143,9 @@ bool has_one_brdf(const Mesh& mesh, const Face& face) {
 Eigen::Vector3f exit_radiance(const Material& material, int degree, const float* reaching,
                               const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye) {
   Eigen::Vector3f radiance = Eigen::Vector3f::Zero();
-  if (material.brdf) {
-    for_reflected_lobes(material.brdf, material.albedo, degree, normal, to_eye,
-                        [&](const Eigen::Vector3f& color, const float* lobe) {
-                          radiance += color.cwiseProduct(summed(degree, lobe, reaching));
-                        });
-    return radiance;
-  }
-  if (!material.albedo.isZero(0.0F)) {
-    radiance += material.albedo.cwiseProduct(gathered(degree, normal, diffuse_factor, reaching));
-  }
-  if (!material.specular.isZero(0.0F)) {
-    const auto exponent = static_cast<double>(material.exponent);
-    const auto factor = [exponent](int l) { return phong_factor(l, exponent); };
-    radiance += material.specular.cwiseProduct(gathered(degree, mirrored(-to_eye, normal), factor, reaching));
-  }
+  for_exit_lobes(material, degree, normal, to_eye, [&](const Eigen::Vector3f& color, const float* lobe) {
+    radiance += color.cwiseProduct(summed(degree, lobe, reaching));
+  });
   return radiance;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "prt/light/light_coefficients.hpp"
+#include "prt/runtime/exit_lobes.hpp"
 #include "prt/runtime/render.hpp"
 #include "prt/transfer/transfer.hpp"
 
@@ -34,15 +35,6 @@ class TransferredRadiance {
   int degree_;
   std::size_t stride_;  // 0: one radiance reaches every vertex
   std::vector<float> values_;
-};
-
-/// The reflection of a place on a surface: linear RGB reflectances, and the exponent of the glossy lobe; or the table of a
-/// BRDF, to which the albedo is the color of its parts (prt/material/reflectance.hpp).
-struct Material {
-  Eigen::Vector3f albedo = Eigen::Vector3f::Zero();
-  Eigen::Vector3f specular = Eigen::Vector3f::Zero();
-  float exponent = 0.0F;
-  BrdfTable brdf = {};
 };
 
 /// The material of a vertex. `mesh` must outlive the result.

@@ -1,7 +1,7 @@
 // What plans promise and what they cost: for error limits .1, .03 and .01, the stated error of `prt plan` against the
 // error measured with 16 times the directions over eight turns of the light, and the rays that the plan prints against
-// those that its bake traces. Minutes a scene. Usage: plan_bench [--keep FOLDER] [--directions N]
-// [--turns none|about_z|any] [demo|real|room|gltf]..., by default all scenes. The folder keeps the bakes with 16 times
+// those that its bake traces. Minutes a scene; `glossy` and `lobes` are the glossy scene in coarse, without and with bounces. Usage: plan_bench [--keep FOLDER] [--directions N]
+// [--turns none|about_z|any] [demo|real|room|gltf|glossy|lobes]..., by default all scenes. The folder keeps the bakes with 16 times
 // the directions for the next run; N and the turns of the light replace the scene's. Exit 0 if every measured error is at
 // most the stated one, and every stated one at most 4 times it (with bounces 6 times).
 #include <fmt/core.h>
@@ -39,10 +39,23 @@ Scene scene_of(const json& description) {
   return scene;
 }
 
+// The glossy scene in coarse, so that it takes a minute; kind is that of its transfer.
+Scene glossy_scene(const TransferKind& kind) {
+  json glossy = json::parse(std::ifstream(std::string(SHFORGE_SCENES) + "/glossy.json"));
+  glossy["meshes"][0]["segments"] = 40;
+  glossy["meshes"][1]["segments"] = 32;
+  glossy["meshes"][2]["max_edge"] = 0.25;
+  glossy["ground"]["max_edge"] = 0.4;
+  glossy["bake"] = {{"transfer", kind.word}, {"degree", 4}, {"directions", 512}};
+  return scene_of(glossy);
+}
+
 // The scene of a word; the demo's real scene has longer edges here, so that it takes minutes and not an hour.
 Scene scene_called(const std::string& word) {
   const std::string folder = SHFORGE_SCENES;
   if (word == "room") return load_scene(folder + "/room.json", OnFlaw::kMend);
+  if (word == "glossy") return glossy_scene(kGlossyShadowed);
+  if (word == "lobes") return glossy_scene(kGlossyInterreflected);
   if (word == "real") {
     json real = json::parse(std::ifstream(folder + "/real.json"));
     real["meshes"][0]["max_edge"] = 0.08;
@@ -103,7 +116,7 @@ Options options_of(int argc, char** argv) {
       options.words.push_back(word);
     }
   }
-  if (options.words.empty()) options.words = {"demo", "real", "room", "gltf"};
+  if (options.words.empty()) options.words = {"demo", "real", "room", "gltf", "glossy", "lobes"};
   return options;
 }
 

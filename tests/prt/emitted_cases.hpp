@@ -68,6 +68,7 @@ inline std::vector<EmittedCase> emitted_cases() {
   all.push_back({"glossy", with_lobes(kGlossyShadowed, 4, 35)});
   all.push_back({"glossy_constant", with_lobes(kGlossyShadowed, 0, 5)});
   all.push_back({"glossy_half", stored(with_lobes(kGlossyShadowed, 2, 16), Element::kHalf)});
+  all.push_back({"glossy_byte", stored(with_lobes(kGlossyShadowed, 3, 18), Element::kByte)});
   all.push_back({"glossy_zonal", with_lobes(kGlossyShadowed, 4, 16), {0, 2, 6, 12, 20}});
   Transfer dull = with_lobes(kGlossyShadowed, 1, 9);
   dull.mesh.specular.clear();

@@ -150,8 +150,31 @@ TEST_F(GlossyTool, RefusesBakesThatGlossyTransferCannotHold) {
   expect_scene_refused(kGold, R"("transfer": "glossy_shadowed", "sampler": "cosine")", "the sampler cosine");
   expect_scene_refused(R"("mirror": [1, 1, 1])", R"("transfer": "glossy_shadowed")", "expected no mirrors");
   expect_scene_refused(kGold, R"("transfer": "shiny")", "glossy_shadowed");
-  expect_refused({"plan", folder->file("shadowed.json"), "--error", "0.1"}, "expected the plan exact or none");
-  succeeded({"plan", folder->file("shadowed.json")});
+  expect_refused({"plan", folder->file("shadowed.json"), "--sampler", "cosine"}, "the sampler cosine");
+}
+
+TEST_F(GlossyTool, BakesByAPlanWithAnError) {
+  const std::string scene = folder->file("shadowed.json");
+  const auto plan = printed({"plan", scene, "--error", "0.1", "--json"});
+  EXPECT_LE(plan["error"].get<double>(), 0.1);
+  EXPECT_LT(plan["bytes"]["planned"], plan["bytes"]["asked"]);
+  EXPECT_NE(plan["error_known_by"].get<std::string>().find("99 % confidence"), std::string::npos);
+  EXPECT_NE(succeeded({"plan", scene, "--error", "0.1"}).out.find("\nerror "), std::string::npos);
+  succeeded({"bake", scene, "--error", "0.1", "-o", folder->file("planned")});
+  const auto info = printed({"info", folder->file("planned")});
+  EXPECT_EQ(info["plan"]["budget"], 0.1);
+  EXPECT_EQ(info["storage"]["element"], "byte");
+  const auto without = printed({"plan", scene, "--error", "0.1", "--without", "storage,bands", "--json"});
+  EXPECT_EQ(without["bake"]["degree"], 4);
+  EXPECT_EQ(without["storage"]["element"], "single");
+  for (const std::string file : {"planned", "shadowed"}) {
+    succeeded({"relight", folder->file(file), "--eye", "3", "-2", "1", "-o", folder->file("a.ply")});
+    succeeded({"render", folder->file(file), "--width", "24", "--height", "16", "-o", folder->file("a.png")});
+  }
+  expect_refused({"plan", scene, "--error", "1e-7"}, "cannot be met");
+  const auto nothing = printed({"plan", folder->file("unshadowed.json"), "--json"});
+  EXPECT_EQ(nothing["error"], 0.0);
+  EXPECT_EQ(nothing["bytes"]["asked"], 0);
 }
 
 TEST_F(GlossyTool, RefusesGlossyTransferWhereNoDirectionOfViewIsKnown) {

@@ -117,9 +117,6 @@ TEST(GlossyBake, RefusesWhatItCannotHold) {
   scene.bake.sampler = Sampler::kCosine;
   refused("the sampler cosine");
   scene.bake.sampler = Sampler::kFibonacci;
-  scene.plan.mode = PlanMode::kLossy;
-  refused("expected the plan exact or none for glossy_shadowed");
-  scene.plan.mode = PlanMode::kNone;
   scene.mesh.mirror.assign(scene.mesh.positions.size(), Eigen::Vector3f::Constant(0.5F));
   refused("expected no mirrors, or a diffuse kind");
 }

@@ -34,7 +34,7 @@ TEST(MakePlan, TakesTheDecisionsThatItsModeAndKindAllow) {
     Scene scene = lit_scene(kind, mode);
     return names_of(make_plan(scene, kBestSet));
   };
-  for (const TransferKind* kind : {&kUnshadowed, &kShadowed, &kInterreflected}) {
+  for (const TransferKind* kind : transfer_kinds()) {
     EXPECT_EQ(taken(kind, PlanMode::kNone), Names());
     EXPECT_EQ(taken(kind, PlanMode::kExact), (Names{"analytic", "channels"})) << kind->word;
   }
@@ -43,6 +43,11 @@ TEST(MakePlan, TakesTheDecisionsThatItsModeAndKindAllow) {
             (Names{"analytic", "channels", "bands", "symmetry", "storage", "directions"}));
   EXPECT_EQ(taken(&kInterreflected, PlanMode::kLossy),
             (Names{"analytic", "bounces", "channels", "bands", "symmetry", "storage", "directions"}));
+  EXPECT_EQ(taken(&kGlossyUnshadowed, PlanMode::kLossy), (Names{"analytic", "channels"})) << "it stores nothing";
+  EXPECT_EQ(taken(&kGlossyShadowed, PlanMode::kLossy),
+            (Names{"analytic", "channels", "bands", "storage", "directions"}));
+  EXPECT_EQ(taken(&kGlossyInterreflected, PlanMode::kLossy),
+            (Names{"analytic", "bounces", "channels", "bands", "storage", "directions"}));
 }
 
 TEST(MakePlan, ChangesTheBakeOfTheSceneToFollowItWithinTheBudget) {
@@ -161,21 +166,6 @@ TEST(MakePlan, RefusesErrorsOutOfRangeAndNamesOfNoDecision) {
   for (const PlanMode mode : {PlanMode::kNone, PlanMode::kExact, PlanMode::kLossy}) {
     EXPECT_EQ(said(0.1, {"bands", "colour"}, mode),
               "decision colour: expected one of analytic, bounces, channels, bands, symmetry, storage, directions");
-  }
-}
-
-// Errors of plans are errors of what diffuse surfaces reflect.
-TEST(MakePlan, OfGlossyTransferIsExactOrNone) {
-  for (const TransferKind* kind : {&kGlossyUnshadowed, &kGlossyShadowed}) {
-    Scene scene = lit_scene(kind, PlanMode::kLossy);
-    scene.name = "hall";
-    EXPECT_EQ(message_of([&] { make_plan(scene, kBestSet); }),
-              "hall: plans with an error are for diffuse transfer; expected the plan exact or none for " +
-                  std::string(kind->word));
-    scene.plan.mode = PlanMode::kExact;
-    EXPECT_EQ(names_of(make_plan(scene, kBestSet)), (Names{"analytic", "channels"}));
-    scene.plan.mode = PlanMode::kNone;
-    EXPECT_EQ(names_of(make_plan(scene, kBestSet)), Names());
   }
 }
 

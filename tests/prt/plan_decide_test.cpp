@@ -218,7 +218,7 @@ TEST(DecideStorage, TakesTheSmallestTypeForHalfOfTheBudget) {
 }
 
 /// The stated error of rows of the probe, of this kind, against the reference.
-double error_of_rows(const Draft& draft, const std::vector<float>& rows, const TransferShape& shape) {
+double error_of_rows(const Draft& draft, const std::vector<float>& rows, const RowShape& shape) {
   Measurement::Radiances difference = draft.measurement->radiances(rows, shape);
   for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= draft.reference[i];
   return draft.measurement->error(difference);

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "prt/plan/plan.hpp"
-#include "tests/prt/rooms.hpp"
+#include "tests/prt/glossy_meshes.hpp"
 
 namespace sh::prt::test {
 namespace {
@@ -32,7 +32,7 @@ Mesh things_on_ground() {
 }
 
 /// A room of white and colored walls, open in front, with a box in it.
-Mesh small_room(float white) {
+Mesh small_room(float white, float longest = 0.12F) {
   const Eigen::Vector3f plain = Eigen::Vector3f::Constant(white);
   Mesh mesh = primitive_mesh("box");
   std::erase_if(mesh.faces, [&](const Face& face) {
@@ -45,7 +45,7 @@ Mesh small_room(float white) {
   }
   append(mesh,
          colored(primitive_mesh("box", 24, Eigen::Translation3f(0.1F, 0.1F, -0.3F) * Eigen::Scaling(0.39F)), plain));
-  refine(mesh, 0.12F);
+  refine(mesh, longest);
   return mesh;
 }
 
@@ -70,6 +70,21 @@ Mesh things_and_mirror(const Eigen::Vector3f& reflectance) {
                        Eigen::Vector3f::Zero()));
   mesh.mirror.assign(things, Eigen::Vector3f::Zero());
   mesh.mirror.resize(mesh.positions.size(), reflectance);
+  return mesh;
+}
+
+/// Things of several finishes on a ground: dull and shiny lobes, and a rough metal.
+Mesh finished_things() {
+  Mesh mesh = finished(things_on_ground(), {0.3F, 0.2F, 0.1F}, {0.4F, 0.5F, 0.6F}, 12.0F);
+  for (std::size_t v = 0; v < mesh.positions.size(); v += 2) mesh.exponent[v] = 3.0F;
+  return mesh;
+}
+
+/// The small room, with walls that shine a little.
+Mesh finished_room(float specular) {
+  Mesh mesh = small_room(0.5F, 0.3F);
+  mesh.specular.assign(mesh.positions.size(), Eigen::Vector3f::Constant(specular));
+  mesh.exponent.assign(mesh.positions.size(), 8.0F);
   return mesh;
 }
 
@@ -107,7 +122,11 @@ std::vector<Case> cases() {
       {"bounces outside", lit(things_on_ground(), &kInterreflected, {sky, sun(30.0)}), LightTurns::kNone},
       {"mirror", lit(things_and_mirror({0.8F, 0.8F, 0.8F}), &kShadowed, {sky, sun(40.0)}), LightTurns::kAboutZ},
       {"mirror of a color", lit(things_and_mirror({0.9F, 0.6F, 0.2F}), &kInterreflected, {sky, sun(40.0)}),
-       LightTurns::kAboutZ}};
+       LightTurns::kAboutZ},
+      {"glossy", lit(finished_things(), &kGlossyShadowed, {sky, sun(40.0)}), LightTurns::kAboutZ},
+      {"glossy, any turn", lit(finished_things(), &kGlossyShadowed, {sky, sun(40.0)}, Sampler::kSobol),
+       LightTurns::kAny},
+      {"glossy room", lit(finished_room(0.3F), &kGlossyInterreflected, {sky, sun(20.0)}), LightTurns::kAboutZ}};
 }
 
 TEST(PlanPromise, IsKeptAndNotFarFromTheTruth) {

@@ -19,6 +19,9 @@ inline void direct(const Data& data, const Light& light, std::size_t block, sh::
 #if defined(SH_EMITTED_APPLY) || defined(SH_EMITTED_PRODUCT)
   Lanes visibility[kRow];
   read_rows(data.rows, block, visibility);
+  if constexpr (kElement == Element::kByte) {
+    for (std::size_t k = 0; k < kRow; ++k) visibility[k] = visibility[k] * Lanes(kScale[k]);
+  }
 #endif
 #if defined(SH_EMITTED_APPLY)
   SH_EMITTED_APPLY(visibility, light.samples, out);

@@ -23,6 +23,9 @@ void direct(int row, out float reaching[3 * COUNT]) {
     for (int k = 0; k < ROW; ++k) {
         int i = row * ROW + k;
         visibility[k] = texelFetch(rows, ivec2(i % 2048, i / 2048), 0).r;
+#ifdef ROW_SCALE
+        visibility[k] *= row_scale[k];
+#endif
     }
 #endif
 #if defined(APPLY)

@@ -1,0 +1,175 @@
+#include "prt/bake/glossy_exit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <numeric>
+
+#include "prt/bake/gray.hpp"
+#include "prt/basis.hpp"
+#include "prt/chunks.hpp"
+#include "prt/kinds/kinds.hpp"
+#include "prt/material/lobe.hpp"
+#include "prt/material/reflected.hpp"
+#include "prt/mesh/corners.hpp"
+#include "prt/rays/row_sums.hpp"
+#include "prt/transfer/visibility.hpp"
+#include "prt/zonal.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr std::size_t kRaysAtOnce = 64;
+constexpr std::size_t kMostRow = padded_row(3 * coefficient_count(kHighestProduct));
+
+using Weights = std::array<float, coefficient_count(kHighestProduct)>;
+
+template <class Factor>
+Weights weights_about(int degree, const Eigen::Vector3f& direction, const Factor& factor) {
+  Weights values;
+  zonal_about(degree, direction, factor, values.data());
+  return values;
+}
+
+// sum (count) += part times the values.
+void add_to(float* sum, const float* values, std::size_t count, float part) {
+  const auto length = static_cast<Eigen::Index>(count);
+  Eigen::Map<Eigen::ArrayXf>(sum, length) += part * Eigen::Map<const Eigen::ArrayXf>(values, length);
+}
+
+}  // namespace
+
+TransferShape glossy_matrix_shape(const Mesh& mesh, int degree) {
+  TransferShape shape = kGlossyInterreflected.indirect(degree);
+  if (is_gray(mesh.albedo) && is_gray(mesh.specular) && is_gray(mesh.brdfs)) shape.channels = 1;
+  return shape;
+}
+
+MatrixTable::MatrixTable(const Mesh& mesh, int the_degree)
+    : degree(the_degree),
+      count(coefficient_count(degree)),
+      channels(glossy_matrix_shape(mesh, degree).channels),
+      row(padded_row(channels * count)),
+      size(count * row),
+      values(mesh.positions.size() * size, 0.0F) {}
+
+void MatrixTable::take_direct(const float* visibility) {
+  const std::size_t vertices = values.size() / size;
+  std::vector<float> products(vertices * 3 * count);
+  for (std::size_t first = 0; first < count; first += 3) {
+    const std::size_t some = std::min<std::size_t>(3, count - first);
+    std::vector<float> lights(3 * count, 0.0F);
+    for (std::size_t k = 0; k < some; ++k) lights[k * count + first + k] = 1.0F;
+    times_visibility(degree, vertices, visibility, prepared_light(degree, lights.data()), products.data());
+    for_vertices(vertices, [&](std::size_t v) {
+      for (std::size_t i = 0; i < some * count; ++i) {
+        for (std::size_t c = 0; c < channels; ++c) {
+          of(v)[i % count * row + c * count + first + i / count] = products[v * 3 * count + i];
+        }
+      }
+    });
+  }
+}
+
+void MatrixTable::add(const std::vector<float>& matrices, const TransferShape& shape, float part) {
+  for_vertices(values.size() / size, [&](std::size_t v) {
+    for (std::size_t c = 0; c < channels; ++c) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const float* from = matrices.data() + v * shape.length() + c * shape.count() + i * shape.columns();
+        add_to(of(v) + i * row + c * count, from, count, part);
+      }
+    }
+  });
+}
+
+void MatrixTable::copy(std::size_t vertex, float* out) const {
+  for (std::size_t c = 0; c < channels; ++c) {
+    for (std::size_t i = 0; i < count; ++i, out += count) std::copy_n(of(vertex) + i * row + c * count, count, out);
+  }
+}
+
+std::vector<BlockedAt> rays_to_fronts(Gatherer& gatherer, const Mesh& mesh, std::size_t vertex) {
+  gatherer.gather(vertex);
+  std::vector<BlockedAt> rays;
+  for (const BlockedRay& ray : gatherer.closest_hits()) {
+    if (ray.hit.face == Hit::kNothing) continue;
+    if (face_normal(mesh.positions, mesh.faces[ray.hit.face]).dot(ray.direction) >= 0.0F) continue;
+    rays.push_back({ray.direction, ray.hit});
+  }
+  return rays;
+}
+
+GlossyExit::GlossyExit(const Mesh& mesh, const MatrixTable& reaching)
+    : mesh_(mesh),
+      reaching_(reaching),
+      in_order_(std::max(kRaysAtOnce, reaching.count)),
+      diffuse_(mesh.positions.size() * reaching.row, 0.0F) {
+  for (const float exponent : mesh.exponent) {
+    for (int l = 0; l <= reaching.degree; ++l) {
+      lobes_.push_back(static_cast<float>(phong_factor(l, static_cast<double>(exponent))));
+    }
+  }
+  std::iota(in_order_.begin(), in_order_.end(), 0U);
+  for_vertices(mesh.positions.size(), [&](std::size_t v) {
+    const Weights cosine = weights_about(reaching.degree, mesh.normals[v], [](int l) { return phong_factor(l, 1.0); });
+    add_weighed(cosine.data(), v, mesh.albedo[v], diffuse_.data() + v * reaching.row);
+  });
+}
+
+// row (reaching.row) += weights times the matrix of a vertex, each channel times its part of the color.
+void GlossyExit::add_weighed(const float* weights, std::size_t vertex, const Eigen::Vector3f& color, float* row) const {
+  const std::size_t count = reaching_.count;
+  alignas(64) std::array<float, kMostRow> sums;
+  sum_rows(reaching_.of(vertex), reaching_.row, in_order_.data(), count, weights, sums.data());
+  for (std::size_t c = 0; c < reaching_.channels; ++c) {
+    add_to(row + c * count, sums.data() + c * count, count, color[static_cast<Eigen::Index>(c)]);
+  }
+}
+
+// Adds what leaves a hit against the ray to `row`.
+void GlossyExit::add_exit(const BlockedAt& ray, float* row) const {
+  const Face& face = mesh_.faces[ray.hit.face];
+  const std::array<float, 3> parts = {1.0F - ray.hit.u - ray.hit.v, ray.hit.u, ray.hit.v};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t q = face[k];
+    if (const BrdfTable brdf = mesh_.brdf_of(q)) {
+      for_reflected_lobes(
+          brdf, mesh_.albedo[q], reaching_.degree, mesh_.normals[q], -ray.direction,
+          [&](const Eigen::Vector3f& color, const float* weights) { add_weighed(weights, q, parts[k] * color, row); });
+      continue;
+    }
+    add_to(row, &diffuse_[q * reaching_.row], reaching_.row, parts[k]);
+    if (mesh_.specular.empty() || mesh_.specular[q].isZero(0.0F)) continue;
+    const Eigen::Vector3f about = mirrored(ray.direction, mesh_.normals[q]);
+    const float* factors = &lobes_[q * (reaching_.degree + 1)];
+    const Weights lobe = weights_about(reaching_.degree, about, [factors](int l) { return factors[l]; });
+    add_weighed(lobe.data(), q, parts[k] * mesh_.specular[q], row);
+  }
+}
+
+void GlossyExit::collect(const std::vector<BlockedAt>& rays, std::size_t directions, float* out) const {
+  const auto weight = static_cast<float>(4.0 * std::numbers::pi / static_cast<double>(directions));
+  const std::size_t count = reaching_.count;
+  const std::size_t row = reaching_.row;
+  std::fill_n(out, reaching_.size, 0.0F);
+  std::vector<float> arriving(count * kRaysAtOnce);
+  std::vector<float> leaving(kRaysAtOnce * row);
+  std::vector<float> part(row);
+  for (std::size_t first = 0; first < rays.size(); first += kRaysAtOnce) {
+    const std::size_t some = std::min(kRaysAtOnce, rays.size() - first);
+    std::fill(leaving.begin(), leaving.end(), 0.0F);
+    for (std::size_t j = 0; j < some; ++j) {
+      const BlockedAt& ray = rays[first + j];
+      const Weights basis = weights_about(reaching_.degree, ray.direction, [&](int) { return weight; });
+      for (std::size_t i = 0; i < count; ++i) arriving[i * kRaysAtOnce + j] = basis[i];
+      add_exit(ray, leaving.data() + j * row);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      sum_rows(leaving.data(), row, in_order_.data(), some, &arriving[i * kRaysAtOnce], part.data());
+      add_to(out + i * row, part.data(), row, 1.0F);
+    }
+  }
+}
+
+}  // namespace sh::prt
