@@ -71,7 +71,13 @@ void check(const BakeJob& job) {
                                             kMostClusters, kMostVectors, options.compress.clusters,
                                             options.compress.vectors));
   }
-  if (options.compress.clusters > 0 && options.kind->shape(options.degree).length() == 0) {
+  if (options.compress_by_plan && job.scene.plan.mode != PlanMode::kLossy) {
+    throw std::invalid_argument(fmt::format(
+        "{}: compress: only a plan with an error chooses counts of clusters; expected one (lossy), or counts",
+        job.scene.name));
+  }
+  const bool compresses = options.compress.clusters > 0 || options.compress_by_plan;
+  if (compresses && options.kind->shape(options.degree).length() == 0) {
     throw std::invalid_argument(
         fmt::format("{}: {} stores no numbers to compress; expected another kind, or no `compress`", job.scene.name,
                     options.kind->word));
@@ -188,24 +194,36 @@ Transfer lost_by(const Transfer& clustered, const Transfer& transfer) {
   return lost;
 }
 
-// Clusters in place of rows, if they lose no more than the plan has room for or the plan has no errors.
-void compress_by_plan(const Plan& plan, ClusterCounts counts, Transfer& transfer) {
+std::int64_t stored_bytes(const Transfer& transfer) {
+  const std::size_t vertices = transfer.mesh.positions.size();
+  const bool has_matrices = transfer.kind->indirect != nullptr;
+  return static_cast<std::int64_t>(transfer.shape.stored_bytes(vertices) +
+                                   (has_matrices ? transfer.indirect_shape.stored_bytes(vertices) : 0));
+}
+
+// Clusters in place of rows: the first counts of a plan that lose no more than it has room for, or those of a bake without
+// such a plan.
+void compress_by_plan(const Plan& plan, ClusterCounts asked, Transfer& transfer) {
+  if (plan.clusters.empty()) return compress(transfer, asked);
   const auto decision = std::find_if(transfer.plan.decisions.begin(), transfer.plan.decisions.end(),
                                      [](const Decision& one) { return one.name == kClustersDecision; });
-  if (decision == transfer.plan.decisions.end()) return compress(transfer, counts);
-  Transfer clustered = transfer;
-  compress(clustered, counts);
-  const double error = worst_radiance(lost_by(clustered, transfer), plan.lights) / plan.reference;
-  if (error > decision->error) {
-    decision->why = fmt::format("{} would lose {:.2g}, more than {:.2g}", decision->choice, error, decision->error);
-    decision->choice = "rows as they are";
-    decision->bytes_saved = 0;
-    decision->error = 0.0;
+  double error = 0.0;
+  for (const ClusterCounts counts : plan.clusters) {
+    Transfer clustered = transfer;
+    compress(clustered, counts);
+    decision->choice = fmt::format("{} of {} vectors", counts.clusters, counts.vectors);
+    error = worst_radiance(lost_by(clustered, transfer), plan.lights) / plan.reference;
+    if (error > decision->error) continue;
+    decision->error = error;
+    decision->bytes_saved = stored_bytes(transfer) - stored_bytes(clustered);
+    clustered.plan = transfer.plan;
+    transfer = std::move(clustered);
     return;
   }
-  decision->error = error;
-  clustered.plan = transfer.plan;
-  transfer = std::move(clustered);
+  decision->why = fmt::format("{} would lose {:.2g}, more than {:.2g}", decision->choice, error, decision->error);
+  decision->choice = "rows as they are";
+  decision->bytes_saved = 0;
+  decision->error = 0.0;
 }
 
 }  // namespace
@@ -235,7 +253,7 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
     transfer = by_channel ? run_by_channel(job, measured) : run_steps(job.scene, job.settings, *job.plan, measured);
   });
   take_plan(*job.plan, transfer);
-  if (wanted.compress.clusters > 0) {
+  if (wanted.compress.clusters > 0 || !job.plan->clusters.empty()) {
     on_threads(job.settings.threads, [&] { compress_by_plan(*job.plan, wanted.compress, transfer); });
   }
   transfer.missing = shortfall(wanted, transfer);

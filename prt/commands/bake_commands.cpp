@@ -23,7 +23,8 @@ struct SceneOptions {
   std::optional<std::uint32_t> seed;
   std::string kind;
   std::vector<std::uint32_t> compress;  // clusters, vectors; empty: the scene's
-  std::string plan;                     // none, exact, lossy; empty: the scene's
+  bool compress_auto = false;
+  std::string plan;  // none, exact, lossy; empty: the scene's
   std::optional<double> error;
   std::string turns;
   std::vector<std::string> without;
@@ -73,6 +74,10 @@ void SceneOptions::add_to(CLI::App& command) {
                   "CLUSTERS VECTORS: store rows as clusters (prt/README.md), instead of the scene's; 0 0: as they are")
       ->default_str("")
       ->expected(2);
+  command
+      .add_flag("--compress-auto", compress_auto,
+                "a plan with an error stores rows as clusters and chooses their counts, instead of the scene's")
+      ->excludes("--compress");
   command.add_option("--plan", plan, "none: leave nothing out; exact: change no number; lossy: stay within the error")
       ->check(words(kPlanModeNames));
   command.add_option("--error", error, "error limit of a lossy plan, instead of the scene's");
@@ -90,6 +95,8 @@ void SceneOptions::apply_to(Scene& loaded) const {
   bake.seed = seed.value_or(bake.seed);
   if (!kind.empty()) bake.kind = find_kind(&TransferKind::word, kind);
   if (!compress.empty()) bake.compress = {compress[0], compress[1]};
+  if (compress_auto) bake.compress = {};
+  if (!compress.empty() || compress_auto) bake.compress_by_plan = compress_auto;
   require_degree(bake.degree);
   PlanOptions& made = loaded.plan;
   made.mode = value_called<PlanMode>(plan, kPlanModeNames).value_or(error ? PlanMode::kLossy : made.mode);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "prt/bake/gray.hpp"
@@ -16,6 +17,9 @@ namespace {
 
 constexpr double kExactAngle = 1e-5;  // radians: a lune error below single precision
 constexpr double kWidestAngle = 0.1;
+
+// Counts of clusters that a plan may choose from, bytes rising.
+constexpr std::array<ClusterCounts, 5> kLadder = {{{32, 4}, {64, 8}, {128, 8}, {256, 8}, {256, 16}}};
 
 double norm_of_light(const TurningLight& light) {
   double largest = 0.0;
@@ -136,22 +140,30 @@ void decide_storage(Draft& draft) {
 
 void decide_clusters(Draft& draft) {
   constexpr double kPart = 0.25;
-  ClusterCounts& counts = draft.bake.compress;
-  if (counts.clusters == 0) return;
-  const std::size_t rows = draft.stored_shape(false).stored_bytes(draft.starts.size());
-  const std::size_t clusters = draft.stored_shape(true).stored_bytes(draft.starts.size());
+  std::vector<ClusterCounts>& counts = draft.plan.clusters;
+  if (draft.asked.compress.clusters > 0) counts = {draft.asked.compress};
+  if (draft.asked.compress_by_plan) counts.assign(kLadder.begin(), kLadder.end());
+  if (counts.empty()) return;
+  const auto bytes = [&](ClusterCounts some) { return draft.stored_shape(some).stored_bytes(draft.starts.size()); };
+  const std::size_t rows = bytes({});
+  const std::size_t least = bytes(counts.front());
+  std::erase_if(counts, [&](ClusterCounts some) { return bytes(some) >= rows; });
   const double room = draft.share(kPart);
-  if (clusters >= rows || !(room > 0.0)) {
-    counts = {};
+  if (counts.empty() || !(room > 0.0)) {
+    counts.clear();
+    draft.bake.compress = {};
     draft.decide(
         kClustersDecision, "rows as they are",
-        clusters < rows ? "the budget leaves no room" : fmt::format("clusters take {} bytes, rows {}", clusters, rows));
+        least < rows ? "the budget leaves no room" : fmt::format("clusters take {} bytes, rows {}", least, rows));
     return;
   }
-  draft.is_clustered = true;
+  draft.clusters = counts.back();
   draft.room_for_clusters = room;
-  draft.decide(kClustersDecision, fmt::format("{} of {} vectors", counts.clusters, counts.vectors),
-               "as long as the bake measures no larger error; else rows as they are", room, "measured");
+  const std::string most = fmt::format("{} of {} vectors", draft.clusters.clusters, draft.clusters.vectors);
+  draft.decide(kClustersDecision, counts.size() == 1 ? most : "at most " + most,
+               counts.size() == 1 ? "as long as the bake measures no larger error; else rows as they are"
+                                  : "the least for which the bake measures no larger error; else rows as they are",
+               room, "measured");
 }
 
 }  // namespace sh::prt

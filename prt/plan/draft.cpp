@@ -23,7 +23,7 @@ Draft::Draft(const Scene& the_scene, const std::string& the_instruction_set)
       asked(scene.bake),
       bake(asked),
       starts(ray_starts(scene.mesh)),
-      is_clustered(asked.compress.clusters > 0 && options.mode != PlanMode::kLossy) {
+      clusters(options.mode != PlanMode::kLossy ? asked.compress : ClusterCounts()) {
   for (const Eigen::Vector3f& color : scene.mesh.albedo) albedo = std::max(albedo, color.maxCoeff());
   if (asked.kind->is_glossy()) albedo = largest_reflectance(scene.mesh);
   plan.open.assign(starts.size(), asked.kind->traces_rays() ? 0 : 1);
@@ -69,7 +69,7 @@ PlanCost Draft::cost() const {
     const bool again = measurement && (always || measurement->is_nearly_dark(v));
     rays += upward_[v] * (again ? 1.0 + measurement->blocked(v) : 1.0);
   }
-  return {static_cast<std::int64_t>(stored_shape(is_clustered).stored_bytes(starts.size())),
+  return {static_cast<std::int64_t>(stored_shape(clusters).stored_bytes(starts.size())),
           std::llround(correction_ * rays * static_cast<double>(bake.directions))};
 }
 
@@ -79,15 +79,15 @@ TransferShape Draft::shape() const {
   return shape;
 }
 
-RowShape Draft::stored_shape(bool clustered) const {
+RowShape Draft::stored_shape(ClusterCounts counts) const {
   RowShape stored(*bake.kind, scene.mesh, bake.degree);
   stored.numbers = shape();
-  if (!clustered) return stored;
+  if (counts.clusters == 0) return stored;
   Element& element = stored.numbers.storage.element;
   if (!stored.matrices || element == Element::kSingle) element = Element::kHalf;
   TransferShape& rows = stored.matrices ? *stored.matrices : stored.numbers;
-  rows.storage.clusters = static_cast<std::uint32_t>(std::min<std::size_t>(asked.compress.clusters, starts.size()));
-  rows.storage.vectors = static_cast<std::uint32_t>(std::min<std::size_t>(asked.compress.vectors, rows.length()));
+  rows.storage.clusters = static_cast<std::uint32_t>(std::min<std::size_t>(counts.clusters, starts.size()));
+  rows.storage.vectors = static_cast<std::uint32_t>(std::min<std::size_t>(counts.vectors, rows.length()));
   return stored;
 }
 

@@ -35,7 +35,7 @@ struct Draft {
   double unconverged = 0.0;          // error of `reference` itself, as the asked directions tell
   double loosened = 0.0;             // bound on the error of a looser tolerance than asked
   double room_for_clusters = 0.0;    // error that the bake may make by clusters
-  bool is_clustered;                 // as far as decided
+  ClusterCounts clusters;            // as far as decided: the most that a bake may make
 
   /// Makes the current request the baseline for savings.
   void start();
@@ -51,10 +51,9 @@ struct Draft {
   /// The shape of a vertex's numbers after the decisions so far; count() is per channel.
   [[nodiscard]] TransferShape shape() const;
   [[nodiscard]] std::size_t count() const { return shape().count(); }
-  /// The shape of rows after the decisions so far, and as a file stores them, with clusters if `clustered`: as many as the
-  /// scene asks for.
-  [[nodiscard]] RowShape row_shape() const { return stored_shape(false); }
-  [[nodiscard]] RowShape stored_shape(bool clustered) const;
+  /// The shape of rows after the decisions so far, and as a file stores them in so many clusters, if any.
+  [[nodiscard]] RowShape row_shape() const { return stored_shape({}); }
+  [[nodiscard]] RowShape stored_shape(ClusterCounts counts) const;
   [[nodiscard]] std::size_t traced() const;  // vertices that need rays
   [[nodiscard]] bool has_mirrors() const { return !scene.mesh.mirror.empty(); }
   [[nodiscard]] bool shines() const { return !scene.mesh.emission.empty(); }
@@ -96,7 +95,8 @@ void decide_symmetry(Draft& draft);
 void decide_storage(Draft& draft);
 /// The error that an element of the numbers makes, measured.
 double measured_error_of(const Draft& draft, Element element);
-/// Only where the scene asks for clusters: makes room for their error, if they take fewer bytes than rows.
+/// Only where the scene asks for clusters: makes room for their error, if they take fewer bytes than rows. The bake finds
+/// the error of each of the counts.
 void decide_clusters(Draft& draft);
 /// The error of the requested number of directions alone, which the budget reserves; throws if it exceeds the budget.
 double floor_of_directions(Draft& draft);

@@ -9,7 +9,8 @@
 //   bands       a lower degree, if the omitted bands add little
 //   symmetry    only the coefficients that the lights have; diffuse kinds only
 //   storage     half or 8 bits
-//   clusters    those that the scene asks for, if the bake finds that they lose little; only if it asks
+//   clusters    those that the scene asks for, or the fewest of some counts for which the bake finds that they lose little;
+//               only if it asks
 //   directions  the fewest for which the error of all decisions together stays within the budget
 // A bound holds for every vertex, and so for the RMS. What is measured holds with a confidence, on a probe of vertices
 // (prt/plan/measure.hpp). The error of the plan as a whole is measured, too: the planned bake of the probe against the
@@ -40,6 +41,7 @@ struct Plan {
   std::vector<std::uint8_t> open;  // (vertices), or empty: 1 if nothing blocks the vertex, so that it needs no rays
   Storage storage;
   std::vector<float> largest;  // (bands^2) largest numbers for which the storage was chosen; empty if irrelevant
+  std::vector<ClusterCounts> clusters;    // that a bake tries in turn, bytes rising, until one loses little enough
   std::vector<LightCoefficients> lights;  // the declared ones, turned, for which errors are measured; empty without
   std::string known_by;    // how the error of all decisions together is known; empty: it is the sum of bounds
   double reference = 0.0;  // W m^-2 sr^-1; 0 if no error was requested

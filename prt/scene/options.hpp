@@ -31,8 +31,9 @@ struct BakeOptions {
   Sampler sampler = Sampler::kFibonacci;
   std::uint32_t seed = 0;  // of the sampler, 0..kMaxSeed
   const TransferKind* kind = &kShadowed;
-  BounceOptions bounces = {};   // interreflected only
-  ClusterCounts compress = {};  // without clusters: rows as they are
+  BounceOptions bounces = {};     // interreflected only
+  ClusterCounts compress = {};    // without clusters: rows as they are
+  bool compress_by_plan = false;  // in place of `compress`: a plan with an error chooses the counts
 };
 
 /// The rotations that the declared lights, as a whole, may later get.

@@ -88,7 +88,12 @@ BakeOptions read_bake_options(const JsonReader& reader) {
   reader.take("transfer", options.kind, [](const JsonReader& value) {
     return find_kind(&TransferKind::word, value.one_of(kind_names(&TransferKind::word)));
   });
-  reader.take("compress", options.compress, [](const JsonReader& value) {
+  reader.take("compress", options.compress, [&](const JsonReader& value) {
+    options.compress_by_plan = value.is("string");
+    if (options.compress_by_plan) {
+      static_cast<void>(value.one_of({"auto"}));
+      return ClusterCounts();
+    }
     value.allow({"clusters", "vectors"});
     return ClusterCounts{static_cast<std::uint32_t>(value.at("clusters").integer(1, kMostClusters)),
                          static_cast<std::uint32_t>(value.at("vectors").integer(0, kMostVectors))};

@@ -159,7 +159,8 @@ constexpr std::array kWords = {"bake",
                                "--half-angles",
                                "--direction",
                                "--compress",
-                               "--sharp"};
+                               "--sharp",
+                               "--compress-auto"};
 static_assert(kWords.size() <= 256);
 
 /// A folder with small files of every type; the tool runs in it.

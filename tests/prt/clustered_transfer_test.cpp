@@ -207,6 +207,7 @@ TEST(ClusteredTransfer, IsTakenByAPlanThatHasRoomForItsError) {
   // The error, by relighting: the same bake as rows, under the lights of the plan.
   BakeJob plain = job;
   plain.scene.bake.compress = {};
+  plain.plan->clusters.clear();
   const Transfer rows = bake(plain);
   double worst = 0.0;
   for (const LightCoefficients& light : job.plan->lights) {
@@ -230,6 +231,44 @@ TEST(ClusteredTransfer, IsNotTakenWhereItLosesMoreThanThePlanHasRoomFor) {
   EXPECT_NE(clusters_of(transfer).why.find("1 of 0 vectors would lose"), std::string::npos);
   EXPECT_EQ(clusters_of(transfer).error, 0.0);
   EXPECT_EQ(clusters_of(transfer).bytes_saved, 0);
+}
+
+// The counts that a plan chooses from, with the error of each: the first that fits is taken.
+TEST(ClusteredTransfer, HasTheFirstCountsThatAPlanHasRoomFor) {
+  const auto scene_with = [](ClusterCounts counts, double error) {
+    Scene scene = room_to_plan(counts, error);
+    scene.plan.without.insert(scene.plan.without.end(), {"analytic", "storage", "directions"});
+    scene.bake.compress_by_plan = counts.clusters == 0;
+    return scene;
+  };
+  std::vector<double> errors;
+  for (const ClusterCounts counts : {ClusterCounts{32, 4}, ClusterCounts{64, 8}, ClusterCounts{128, 8}}) {
+    errors.push_back(clusters_of(bake(scene_with(counts, 1.0))).error);
+  }
+  ASSERT_GT(errors[0], errors[1]);
+  ASSERT_GT(errors[1], errors[2]);
+  const auto chosen = [&](double room) { return bake(scene_with({}, std::min(1.0, 4.0 * room))); };
+  const Transfer first = chosen(1.01 * errors[0]);
+  EXPECT_EQ(clusters_of(first).choice, "32 of 4 vectors");
+  EXPECT_EQ(first.shape.storage.vectors, 4U);
+  const Transfer third = chosen(0.99 * errors[1]);
+  EXPECT_EQ(clusters_of(third).choice, "128 of 8 vectors");
+  EXPECT_NEAR(clusters_of(third).error, errors[2], 1e-9);
+  EXPECT_LT(clusters_of(third).bytes_saved, clusters_of(first).bytes_saved);
+  const Transfer none = chosen(1e-6);
+  EXPECT_EQ(clusters_of(none).choice, "rows as they are");
+  EXPECT_TRUE(none.clusters.empty());
+}
+
+TEST(ClusteredTransfer, NeedsAPlanWithAnErrorToHaveItsCountsChosen) {
+  Scene scene = room_to_plan({}, 0.1);
+  scene.bake.compress_by_plan = true;
+  scene.plan.mode = PlanMode::kExact;
+  EXPECT_NE(message_of([&] { bake(scene); }).find("compress: only a plan with an error chooses counts"),
+            std::string::npos);
+  scene.plan.mode = PlanMode::kLossy;
+  scene.bake.kind = &kGlossyUnshadowed;
+  EXPECT_NE(message_of([&] { bake(scene); }).find("stores no numbers to compress"), std::string::npos);
 }
 
 TEST(ClusteredTransfer, IsNotTakenWhereItIsLargerThanRows) {

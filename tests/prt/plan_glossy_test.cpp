@@ -400,6 +400,49 @@ TEST(GlossyPlan, IsTheSameForAnyThreadsAndIsFollowedByABakeThatContinues) {
   }
 }
 
+// Clusters in place of matrices: what a plan states is what the run time shows.
+TEST(GlossyPlan, ChoosesClustersOfMatricesForTheirError) {
+  Scene scene = glossy_scene(&kGlossyInterreflected, 0.2);
+  refine(scene.mesh, 0.2F);
+  scene.bake.directions = 256;
+  scene.bake.compress_by_plan = true;
+  scene.plan.without = {"bounces", "bands", "directions"};
+  const BakeJob job = planned_as(scene, scene.plan);
+  const Transfer clustered = bake(job);
+  BakeJob plain = job;
+  plain.plan->clusters.clear();
+  const Transfer rows = bake(plain);
+  ASSERT_FALSE(clustered.indirect_clusters.empty());
+  EXPECT_TRUE(clustered.indirect.empty());
+  double worst = 0.0;
+  for (const LightCoefficients& light : job.plan->lights) {
+    const TransferredRadiance ours(clustered, light);
+    const TransferredRadiance theirs(rows, light);
+    double squares = 0.0;
+    for (std::size_t v = 0; v < rows.mesh.positions.size(); ++v) {
+      const Views views(rows.mesh, v, 2);
+      const auto a = views.radiance(ours.at(v));
+      const auto b = views.radiance(theirs.at(v));
+      for (std::size_t eye = 0; eye < Views::kEyes; ++eye) {
+        squares += std::pow((a[eye] - b[eye]).cwiseAbs().maxCoeff(), 2) / Views::kEyes;
+      }
+    }
+    worst = std::max(worst, std::sqrt(squares / static_cast<double>(rows.mesh.positions.size())));
+  }
+  const Decision& taken = *std::find_if(clustered.plan.decisions.begin(), clustered.plan.decisions.end(),
+                                        [](const Decision& one) { return one.name == kClustersDecision; });
+  EXPECT_NEAR(taken.error, worst / job.plan->reference, 1e-6);
+  EXPECT_GT(taken.error, 1e-5);
+  EXPECT_LE(taken.error, 0.25 * 0.2);
+  const std::size_t vertices = rows.mesh.positions.size();
+  const auto bytes = [&](const Transfer& transfer) {
+    return static_cast<std::int64_t>(transfer.shape.stored_bytes(vertices) +
+                                     transfer.indirect_shape.stored_bytes(vertices));
+  };
+  EXPECT_EQ(taken.bytes_saved, bytes(rows) - bytes(clustered));
+  EXPECT_EQ(clustered.shape.storage.element, job.plan->storage.element) << "of the visibility";
+}
+
 TEST(GlossyPlan, OfWhatStoresNothingCostsNothing) {
   const Scene scene = glossy_scene(&kGlossyUnshadowed, 0.01, kMaxDegree);
   const BakeJob job = planned_as(scene, scene.plan);

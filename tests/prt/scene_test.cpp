@@ -171,6 +171,7 @@ TEST_F(SceneFile, IsRefusedWithABadLightCameraGroundOrOption) {
       {R"("ground": {"height": -1e20})", "/ground/height: expected a distance from the meshes of at most 1.732e+06"},
       {R"("bake": {"bounces": 3})", "/bake/bounces: unknown key, expected one of degree, directions"},
       {R"("bake": {"compress": 64})", "/bake/compress: expected an object"},
+      {R"("bake": {"compress": "much"})", "/bake/compress: expected one of auto, got \"much\""},
       {R"("bake": {"compress": {"clusters": 64}})", "/bake/compress: the key `vectors` is missing"},
       {R"("bake": {"compress": {"clusters": 0, "vectors": 8}})",
        "/bake/compress/clusters: expected an integer from 1 to 4096, got 0"},
