@@ -84,12 +84,8 @@ double share_of_bands(const BrdfTable& table, int degree) {
 }
 
 Eigen::Vector3d hemispherical_reflectance(const float* table, int view) {
-  const double constant = std::sqrt(4.0 * std::numbers::pi);  // the coefficient of constant light
-  Eigen::Vector3d values;
-  for (std::size_t part = 0; part < kReflectionParts; ++part) {
-    values[static_cast<Eigen::Index>(part)] = constant * static_cast<double>(row_of(table, view, part)[0]);
-  }
-  return values;
+  const auto sum_of = [&](std::size_t part) { return static_cast<double>(row_of(table, view, part)[0]); };
+  return std::sqrt(4.0 * std::numbers::pi) * Eigen::Vector3d(sum_of(0), sum_of(1), sum_of(2));  // of constant light
 }
 
 }  // namespace sh::prt
