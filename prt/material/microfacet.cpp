@@ -3,14 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "numeric/oracle/quadrature.hpp"
 #include "prt/chunks.hpp"
-#include "prt/material/tabulate.hpp"
 
 namespace sh::prt {
 
@@ -96,31 +93,39 @@ void enter_coat(const Reflected& reflected, std::vector<Node>& lights) {
 
 }  // namespace
 
-Reflectance microfacet_reflectance(float roughness, float metallic) {
+MicrofacetSurfaces::MicrofacetSurfaces(float roughness) : roughness_(roughness), facets_(kViews) {
   const double alpha = static_cast<double>(roughness) * static_cast<double>(roughness);
-  const auto metal = static_cast<double>(metallic);
   const std::vector<Node> halves = half_vectors(alpha);
-  std::vector<ReflectanceRow> rows(kViews);
-  Reflected reflected{};
   in_parallel(0, kViews, [&](int view) {
     const auto number = static_cast<std::size_t>(view);
     add_facets(halves, view_direction(view), alpha, [&](const Eigen::Vector3d& light, double ordinary, double grazing) {
-      rows[number].add(light, {metal * ordinary, (1.0 - metal) * kCoat * ordinary + grazing, 0.0});
-      reflected[number] += kCoat * ordinary + grazing;
+      facets_[number].add(light, {ordinary, grazing, 0.0});
+      coat_[number] += kCoat * ordinary + grazing;
     });
   });
   std::vector<Node> lights = nodes_of([](double u) { return std::sqrt(u); });  // as the cosine over pi
-  enter_coat(reflected, lights);
-  ReflectanceRow base;
-  for (const Node& light : lights) base.add(light.direction, {light.weight, 0.0, 0.0});
-  Reflectance made{fmt::format("roughness {:g}, metallic {:g}", roughness, metallic), false,
+  enter_coat(coat_, lights);
+  for (const Node& light : lights) base_.add(light.direction, {light.weight, 0.0, 0.0});
+}
+
+Reflectance MicrofacetSurfaces::reflectance(float metallic) const {
+  const auto metal = static_cast<double>(metallic);
+  Eigen::Matrix3d parts;  // from the two sums of facets to the colored parts
+  parts << metal, 0.0, 0.0, (1.0 - metal) * kCoat, 1.0, 0.0, 0.0, 0.0, 0.0;
+  Reflectance made{fmt::format("roughness {:g}, metallic {:g}", roughness_, metallic), false,
                    ReflectanceTable(kReflectanceTableSize)};
   for (int view = 0; view < kViews; ++view) {
-    ReflectanceRow& row = rows[static_cast<std::size_t>(view)];
-    row.add((1.0 - metal) * (1.0 - reflected[static_cast<std::size_t>(view)]), base);
+    const auto number = static_cast<std::size_t>(view);
+    ReflectanceRow row;
+    row.add(parts, facets_[number]);
+    row.add((1.0 - metal) * (1.0 - coat_[number]) * Eigen::Matrix3d::Identity(), base_);
     row.write(view, made.table);
   }
   return made;
+}
+
+Reflectance microfacet_reflectance(float roughness, float metallic) {
+  return MicrofacetSurfaces(roughness).reflectance(metallic);
 }
 
 }  // namespace sh::prt

@@ -7,9 +7,28 @@
 //              coat sends back all light, at any angle. The appendix weighs it by 1-F, which at grazing views sends
 //              more than arrives.
 #pragma once
+#include <array>
+#include <vector>
+
 #include "prt/material/reflectance.hpp"
+#include "prt/material/tabulate.hpp"
 
 namespace sh::prt {
+
+/// The surfaces of one roughness, 0..1. The quadrature is made once; its sums serve for every metallic part.
+class MicrofacetSurfaces {
+ public:
+  explicit MicrofacetSurfaces(float roughness);
+  /// metallic: 0..1.
+  [[nodiscard]] Reflectance reflectance(float metallic) const;
+
+ private:
+  float roughness_;
+  std::vector<ReflectanceRow>
+      facets_;  // for each view: what facets mirror with F = 1 but for the grazing part, and that part
+  std::array<double, kViews> coat_{};  // the part of constant light that the facets of the coat reflect
+  ReflectanceRow base_;                // the light that comes back through the coat
+};
 
 /// roughness and metallic 0..1, by quadrature: largest error seen 4e-4 at views up to 75 degrees, 2e-3 near grazing view
 /// (Microfacet.IsTheModelOfGltf in the tests, 144 integrals). Roughness 0

@@ -30,8 +30,8 @@ void ReflectanceRow::add(const Eigen::Vector3d& light, const Eigen::Vector3d& va
   }
 }
 
-void ReflectanceRow::add(double factor, const ReflectanceRow& other) {
-  for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += factor * other.sums_[i];
+void ReflectanceRow::add(const Eigen::Matrix3d& mix, const ReflectanceRow& other) {
+  for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += mix * other.sums_[i];
 }
 
 void ReflectanceRow::write(int view, ReflectanceTable& table) const {

@@ -21,8 +21,8 @@ class ReflectanceRow {
  public:
   /// Adds `values`, one for each part, at a unit direction.
   void add(const Eigen::Vector3d& light, const Eigen::Vector3d& values);
-  /// Adds `factor` times another sum.
-  void add(double factor, const ReflectanceRow& other);
+  /// Adds another sum, whose parts `mix` turns into parts of this one.
+  void add(const Eigen::Matrix3d& mix, const ReflectanceRow& other);
   void write(int view, ReflectanceTable& table) const;
 
  private:

@@ -30,8 +30,8 @@ class Tables {
     const std::pair steps = {step_of(roughness, kRoughnessSteps), step_of(metallic, kMetallicSteps)};
     const auto [entry, added] = numbers_.try_emplace(steps);
     if (added) {
-      const Reflectance table = microfacet_reflectance(static_cast<float>(steps.first) / kRoughnessSteps,
-                                                       static_cast<float>(steps.second) / kMetallicSteps);
+      const auto surfaces = surfaces_.try_emplace(steps.first, static_cast<float>(steps.first) / kRoughnessSteps).first;
+      const Reflectance table = surfaces->second.reflectance(static_cast<float>(steps.second) / kMetallicSteps);
       entry->second = static_cast<std::uint16_t>(1 + mesh_.brdfs.number_of(table));
     }
     return entry->second;
@@ -39,6 +39,7 @@ class Tables {
 
  private:
   Mesh& mesh_;
+  std::map<int, MicrofacetSurfaces> surfaces_;  // by steps of roughness
   std::map<std::pair<int, int>, std::uint16_t> numbers_;
 };
 
