@@ -124,7 +124,8 @@ class Image {
   std::vector<Values> texels_;
 };
 
-// Adds INT e e^T over a cell of half a texel, in which the image is smooth; e = the value read from the image less the basis itself.
+// Adds INT e e^T over a cell of half a texel, in which the image is smooth; e = the value read from the image less the
+// basis itself.
 void add_cell(Matrix& sum, const Image& image, std::size_t face, double u0, double v0, double width) {
   static const auto kRule = gauss_legendre<double>(3);
   const double half = 0.5 * width;

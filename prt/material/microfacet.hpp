@@ -24,15 +24,15 @@ class MicrofacetSurfaces {
 
  private:
   float roughness_;
-  std::vector<ReflectanceRow>
-      facets_;  // for each view: what facets mirror with F = 1 but for the grazing part, and that part
+  // For each view: what facets mirror with F = 1 but for the grazing part, and that part.
+  std::vector<ReflectanceRow> facets_;
   std::array<double, kViews> coat_{};  // the part of constant light that the facets of the coat reflect
   ReflectanceRow base_;                // the light that comes back through the coat
 };
 
-/// roughness and metallic 0..1, by quadrature: largest error seen 4e-4 at views up to 75 degrees, 2e-3 near grazing view
-/// (Microfacet.IsTheModelOfGltf in the tests, 144 integrals). Roughness 0
-/// is a perfect mirror, of which the bands remain.
+/// roughness and metallic 0..1, by quadrature: largest error seen 4e-4 at views up to 75 degrees, 2e-3 near grazing
+/// view (Microfacet.IsTheModelOfGltf in the tests, 144 integrals). Roughness 0 is a perfect mirror, of which the bands
+/// remain.
 Reflectance microfacet_reflectance(float roughness, float metallic);
 
 }  // namespace sh::prt

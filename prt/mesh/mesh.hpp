@@ -21,10 +21,10 @@ using Face = std::array<std::uint32_t, 3>;
 /// The largest exponent of a glossy lobe.
 inline constexpr float kMaxExponent = 1e6F;
 
-/// Triangles, counterclockwise as seen from outside. All vertex arrays have one length, except that `emission`, `mirror`,
-/// `specular` with `exponent`, `brdf`, and `texture` with `normal_map`, are empty if the whole mesh has none. `remap` has one entry for each vertex of
-/// the mesh files, in the order of the scene; several vertices of a file map to one vertex here if position, normal,
-/// albedo and finish agree. It is empty for a mesh made in code.
+/// Triangles, counterclockwise as seen from outside. All vertex arrays have one length, except that `emission`,
+/// `mirror`, `specular` with `exponent`, `brdf`, and `texture` with `normal_map`, are empty if the whole mesh has none.
+/// `remap` has one entry for each vertex of the mesh files, in the order of the scene; several vertices of a file map
+/// to one vertex here if position, normal, albedo and finish agree. It is empty for a mesh made in code.
 struct Mesh {
   std::vector<Eigen::Vector3f> positions;          // in `frame`
   std::vector<Eigen::Vector3f> normals;            // unit; shading: weighs the cosine

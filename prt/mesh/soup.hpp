@@ -16,8 +16,8 @@
 
 namespace sh::prt {
 
-/// A lobe about the mirrored direction of view: the part `specular` of the light, cos^exponent of the angle between them
-/// [Phong75]; or a BRDF that takes the place of this lobe and of the diffuse reflection.
+/// A lobe about the mirrored direction of view: the part `specular` of the light, cos^exponent of the angle between
+/// them [Phong75]; or a BRDF that takes the place of this lobe and of the diffuse reflection.
 struct Gloss {
   Eigen::Vector3f specular = Eigen::Vector3f::Zero();
   float exponent = 0.0F;
@@ -28,8 +28,7 @@ struct Gloss {
 /// Pictures at texture coordinates that vary a material; null where it does not vary.
 struct VariedMaterial {
   std::shared_ptr<const Image> albedo;  // linear RGB, a factor of the albedo
-  std::shared_ptr<const Image>
-      facets;  // green times `roughness` and blue times `metallic`: see material/microfacet.hpp
+  std::shared_ptr<const Image> facets;  // green times `roughness`, blue times `metallic` (material/microfacet.hpp)
   float roughness = 1.0F;
   float metallic = 1.0F;
   [[nodiscard]] bool any() const { return albedo != nullptr || facets != nullptr; }
@@ -84,8 +83,9 @@ struct MaterialChanges {
   }
 };
 
-/// Vertices may repeat. Positions are double, so that a place far from the origin does not cost the digits of the shape. `normals` and `albedo` are as long as `positions`; `normals` may be empty, then they are
-/// computed. `texture` may be empty, too; only surfaces with pictures use it.
+/// Vertices may repeat. Positions are double, so that a place far from the origin does not cost the digits of the
+/// shape. `normals` and `albedo` are as long as `positions`; `normals` may be empty, then they are computed. `texture`
+/// may be empty, too; only surfaces with pictures use it.
 struct Soup {
   std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Vector3f> normals;

@@ -12,10 +12,10 @@
 namespace sh::prt {
 
 /// One vertex for each position (exact bits), normal (to 1/8192), albedo, finish and, if it has pictures, texture
-/// coordinates (exact bits), in the order of first use by a
-/// face; unused vertices are dropped. Faces keep their order. Precondition: the soup has passed check() and has
-/// normals. `source_vertices` is the number of vertices of the file and the length of the remap, which names the first
-/// vertex made from each; 0 for a soup made in code, which gets no remap.
+/// coordinates (exact bits), in the order of first use by a face; unused vertices are dropped. Faces keep their order.
+/// Precondition: the soup has passed check() and has normals. `source_vertices` is the number of vertices of the file
+/// and the length of the remap, which names the first vertex made from each; 0 for a soup made in code, which gets no
+/// remap.
 Mesh weld(const Soup& soup, std::size_t source_vertices = 0);
 
 /// Sets geometric_normals to the mean, weighted by angle, of the normals of the faces around each vertex. Each face

@@ -26,9 +26,10 @@ struct LightSamples {
   std::vector<float> weights;           // (vertices, k)
 };
 
-/// Runs k-means over the vertices, which are in the world. It starts with the vertex nearest to their mean, then adds the vertex farthest from
-/// all points so far, so that the same mesh always gives the same points. 1 <= k <= kMaxLightSamples, else it throws
-/// std::invalid_argument. The result has fewer points if the mesh has fewer distinct positions.
+/// Runs k-means over the vertices, which are in the world. It starts with the vertex nearest to their mean, then adds
+/// the vertex farthest from all points so far, so that the same mesh always gives the same points. 1 <= k <=
+/// kMaxLightSamples, else it throws std::invalid_argument. The result has fewer points if the mesh has fewer distinct
+/// positions.
 LightSamples samples_by_distance(std::span<const Eigen::Vector3d> vertices, int k);
 
 /// The six corners of the octahedron; a flat bounding box gets a little thickness. Throws std::invalid_argument for a

@@ -54,7 +54,8 @@ std::vector<float> relight_gray(const Transfer& transfer, const LightCoefficient
 LightCoefficients white(const LightCoefficients& light);
 
 /// The mesh with float vertex properties red, green, blue (linear exit radiance), binary little-endian PLY; x, y, z are
-/// float, or double if the mesh has a frame of its own. The file appears complete or not at all. Throws std::runtime_error naming `file`.
+/// float, or double if the mesh has a frame of its own. The file appears complete or not at all. Throws
+/// std::runtime_error naming `file`.
 void write_ply(const std::string& file, const Mesh& mesh, const std::vector<Eigen::Vector3f>& radiance);
 
 }  // namespace sh::prt

@@ -1,7 +1,7 @@
-// The normal of a surface at any place: interpolated between the vertices and, where the mesh has a normal map, turned by
-// the map (prt/material/normal_map.hpp) in a frame of the surface. The frame's x is the tangent along the texture
-// coordinate u, a mean over the faces around each vertex, made perpendicular to the normal there; its y is perpendicular to both, on
-// the side towards which v grows. So do most tools, within a few degrees [Mikkelsen08].
+// The normal of a surface at any place: interpolated between the vertices and, where the mesh has a normal map, turned
+// by the map (prt/material/normal_map.hpp) in a frame of the surface. The frame's x is the tangent along the texture
+// coordinate u, a mean over the faces around each vertex, made perpendicular to the normal there; its y is
+// perpendicular to both, on the side towards which v grows. So do most tools, within a few degrees [Mikkelsen08].
 #pragma once
 #include <Eigen/Core>
 #include <array>

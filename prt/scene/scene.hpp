@@ -35,8 +35,9 @@ struct Scene {
 };
 
 /// Loads the scene in the JSON file `scene`, or an embedded scene for `demo` and `disc`, or a mesh file alone, with a
-/// ground and the default sky. Meshes are loaded, welded and split; light files must be readable but are not loaded yet. Each kind of mended flaw is counted and reported once through `on_flaw`.
-/// Throws std::runtime_error with one line that names file and JSON path.
+/// ground and the default sky. Meshes are loaded, welded and split; light files must be readable but are not loaded
+/// yet. Each kind of mended flaw is counted and reported once through `on_flaw`. Throws std::runtime_error with one
+/// line that names file and JSON path.
 Scene load_scene(const std::string& scene, OnFlaw on_flaw);
 
 }  // namespace sh::prt
