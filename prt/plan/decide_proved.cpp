@@ -88,7 +88,9 @@ void decide_analytic(Draft& draft) {
 
 void decide_channels(Draft& draft) {
   if (!draft.shape().holds_albedo) {
-    draft.decide("channels", "one", "transfer without bounces holds no albedo");
+    const bool is_glossy = draft.bake.kind->is_glossy();
+    draft.decide("channels", "one",
+                 is_glossy ? "visibility holds no albedo" : "transfer without bounces holds no albedo");
     return;
   }
   const Mesh& mesh = draft.scene.mesh;
