@@ -237,14 +237,25 @@ BakeJob::BakeJob(Scene the_scene, BakeSettings the_settings)
 
 BakeJob planned(BakeJob job) {
   check(job);
-  on_threads(job.settings.threads, [&] { job.plan = make_plan(job.scene, job.settings.instruction_set); });
+  on_threads(job.settings.threads, [&] {
+    if (job.scene.bake.fit_lobes && job.scene.bake.kind->is_glossy()) {
+      job.fits = fit_lobes(job.scene.mesh, job.scene.bake.degree);
+    }
+    job.plan = make_plan(job.scene, job.settings.instruction_set);
+  });
   return job;
 }
 
 Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
-  if (job.plan) check(job);
-  if (!job.plan) job = planned(std::move(job));
+  if (job.plan) {
+    check(job);
+  } else {
+    job = planned(std::move(job));
+  }
   const BakeOptions wanted = job.scene.bake;
+  if (say) {
+    for (const FittedBrdf& fitted : job.fits) say(described(fitted));
+  }
   prepare(job, say);
   Transfer transfer;
   BakeReport measured;

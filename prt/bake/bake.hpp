@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "numeric/output/stopwatch.hpp"
+#include "prt/mesh/fit_lobes.hpp"
 #include "prt/mesh/mend.hpp"
 #include "prt/plan/plan.hpp"
 #include "prt/scene/scene.hpp"
@@ -46,6 +47,7 @@ struct BakeJob {
   BakeSettings settings;
   std::optional<Plan> plan;  // if set, scene.bake already follows it; else the bake starts by making it
   std::optional<BakeBudget> budget;
+  std::vector<FittedBrdf> fits = {};  // of a job with a plan, if the scene asks for lobes in place of BRDFs
 };
 
 /// The cost of a bake.
@@ -54,10 +56,11 @@ struct BakeReport {
   std::string checkpoint;  // its file, unnecessary once the result is saved; empty if there was none
 };
 
-/// Receives one line about the expected time of the bake and one about each change that a budget makes.
+/// Receives one line about the expected time of the bake, one about each fitted BRDF, and one about each change that a
+/// budget makes.
 using BakeObserver = std::function<void(const std::string& line)>;
 
-/// Returns the job with its plan; throws like make_plan(), and std::invalid_argument for options out of range.
+/// Returns the job with its plan, lobes in place of BRDFs if it asks for them; throws like make_plan(), and std::invalid_argument for options out of range.
 BakeJob planned(BakeJob job);
 
 /// Shows progress. Vertices that no ray can leave take their neighbors' values and are reported as a flaw. If a number

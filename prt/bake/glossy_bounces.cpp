@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 #include <tbb/enumerable_thread_specific.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -49,11 +48,7 @@ class Bounces {
       bounce();
       term_.values.swap(next_.values);
       ++report.applications;
-      for_vertices(vertices_, [&](std::size_t v) {
-        using Values = Eigen::Map<Eigen::ArrayXf>;
-        const auto size = static_cast<Eigen::Index>(sum.size);
-        Values(sum.of(v), size) += Values(term_.of(v), size);
-      });
+      sum.add(term_);
       const double now = largest_of(term_);
       report.spectral_bound = before > 0.0 ? now / before : 0.0;
       report.residual = now > 0.0 ? now * report.spectral_bound / std::max(1.0 - report.spectral_bound, 1e-9) : 0.0;
@@ -61,7 +56,8 @@ class Bounces {
       before = now;
     }
     report.largest = largest_of(sum);
-    take_sum(sum);
+    transfer_.indirect_shape = glossy_matrix_shape(mesh_, sum.degree);
+    transfer_.indirect = sum.copies(transfer_.indirect_shape);
   }
 
  private:
@@ -127,14 +123,6 @@ class Bounces {
                       transfer_.scene, rate));
     }
     return false;
-  }
-
-  void take_sum(const MatrixTable& sum) {
-    transfer_.indirect_shape = glossy_matrix_shape(mesh_, sum.degree);
-    transfer_.indirect.resize(vertices_ * transfer_.indirect_shape.length());
-    for_vertices(vertices_, [&](std::size_t v) {
-      sum.copy(v, transfer_.indirect.data() + v * transfer_.indirect_shape.length());
-    });
   }
 
   const RaySetup& rays_;

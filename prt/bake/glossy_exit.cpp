@@ -83,10 +83,23 @@ void MatrixTable::add(const std::vector<float>& matrices, const TransferShape& s
   });
 }
 
-void MatrixTable::copy(std::size_t vertex, float* out) const {
+void MatrixTable::add(const MatrixTable& other, float part) {
+  for_vertices(values.size() / size, [&](std::size_t v) { add_to(of(v), other.of(v), size, part); });
+}
+
+void MatrixTable::copy(const float* matrix, const TransferShape& shape, float* out) const {
   for (std::size_t c = 0; c < channels; ++c) {
-    for (std::size_t i = 0; i < count; ++i, out += count) std::copy_n(of(vertex) + i * row + c * count, count, out);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::copy_n(matrix + i * row + c * count, count, out + c * shape.count() + i * shape.columns());
+    }
   }
+}
+
+std::vector<float> MatrixTable::copies(const TransferShape& shape) const {
+  const std::size_t vertices = values.size() / size;
+  std::vector<float> all(vertices * shape.length(), 0.0F);
+  for_vertices(vertices, [&](std::size_t v) { copy(of(v), shape, all.data() + v * shape.length()); });
+  return all;
 }
 
 std::vector<BlockedAt> rays_to_fronts(Gatherer& gatherer, const Mesh& mesh, std::size_t vertex) {
@@ -130,7 +143,7 @@ void GlossyExit::add_weighed(const float* weights, std::size_t vertex, const Eig
 // Adds what leaves a hit against the ray to `row`.
 void GlossyExit::add_exit(const BlockedAt& ray, float* row) const {
   const Face& face = mesh_.faces[ray.hit.face];
-  const std::array<float, 3> parts = {1.0F - ray.hit.u - ray.hit.v, ray.hit.u, ray.hit.v};
+  const std::array<float, 3> parts = ray.hit.parts();
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t q = face[k];
     if (const BrdfTable brdf = mesh_.brdf_of(q)) {

@@ -26,8 +26,13 @@ struct MatrixTable {
   /// Adds matrices (vertices, shape.length()) of these channels and of this degree or a higher one, of which it takes the
   /// lower bands, times `part`.
   void add(const std::vector<float>& matrices, const TransferShape& shape, float part = 1.0F);
-  /// Writes the matrix of a vertex without padding, (channels, count, count).
-  void copy(std::size_t vertex, float* out) const;
+  /// Adds a table of the same size times `part`.
+  void add(const MatrixTable& other, float part = 1.0F);
+  /// Writes one matrix of a table like this, without padding, as the lower bands of `out` (shape.length()), a matrix of
+  /// these channels and of this degree or a higher one.
+  void copy(const float* matrix, const TransferShape& shape, float* out) const;
+  /// All matrices without padding, (vertices, shape.length()); `shape` as in copy().
+  [[nodiscard]] std::vector<float> copies(const TransferShape& shape) const;
 
   [[nodiscard]] float* of(std::size_t vertex) { return values.data() + vertex * size; }
   [[nodiscard]] const float* of(std::size_t vertex) const { return values.data() + vertex * size; }

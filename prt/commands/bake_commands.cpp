@@ -24,6 +24,7 @@ struct SceneOptions {
   std::string kind;
   std::vector<std::uint32_t> compress;  // clusters, vectors; empty: the scene's
   bool compress_auto = false;
+  bool fit_lobes = false;
   std::string plan;  // none, exact, lossy; empty: the scene's
   std::optional<double> error;
   std::string turns;
@@ -78,6 +79,8 @@ void SceneOptions::add_to(CLI::App& command) {
       .add_flag("--compress-auto", compress_auto,
                 "a plan with an error stores rows as clusters and chooses their counts, instead of the scene's")
       ->excludes("--compress");
+  command.add_flag("--fit-lobes", fit_lobes,
+                   "glossy kinds: the nearest lobes in place of BRDFs, which cost less and say what they miss");
   command.add_option("--plan", plan, "none: leave nothing out; exact: change no number; lossy: stay within the error")
       ->check(words(kPlanModeNames));
   command.add_option("--error", error, "error limit of a lossy plan, instead of the scene's");
@@ -97,6 +100,7 @@ void SceneOptions::apply_to(Scene& loaded) const {
   if (!compress.empty()) bake.compress = {compress[0], compress[1]};
   if (compress_auto) bake.compress = {};
   if (!compress.empty() || compress_auto) bake.compress_by_plan = compress_auto;
+  bake.fit_lobes = bake.fit_lobes || fit_lobes;
   require_degree(bake.degree);
   PlanOptions& made = loaded.plan;
   made.mode = value_called<PlanMode>(plan, kPlanModeNames).value_or(error ? PlanMode::kLossy : made.mode);
@@ -221,6 +225,7 @@ void run_plan(const PlanCommand& options) {
   options.apply_to(scene);
   if (options.plan.empty()) scene.plan.mode = PlanMode::kLossy;
   const BakeJob job = planned({std::move(scene), {.threads = options.threads}});
+  for (const FittedBrdf& fitted : job.fits) fmt::print(stderr, "prt: {}\n", described(fitted));
   print_out(options.json ? plan_json(*job.plan, job.scene) + "\n" : plan_text(*job.plan, job.scene));
   report_time(stopwatch, "planned");
 }

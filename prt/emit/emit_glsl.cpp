@@ -95,22 +95,22 @@ class GlslEmitter {
       relight_.texts = {"clusters.glsl", "mixed_rows.glsl"};
     }
     if (!transfer_.shape.holds_albedo) relight_.defines += "#define RECOLORABLE\n";
-    relight_.texts.push_back("relight_rows.vert");
+    relight_.texts.emplace_back("relight_rows.vert");
   }
 
   void add_glossy() {
     add_rows();
     add_matrices();
     const bool meets_light = transfer_.clusters.empty() || !transfer_.indirect.empty();
-    if (meets_light) relight_.texts.push_back("glossy_light.glsl");
-    if (!lit_.empty()) relight_.texts.push_back("clusters.glsl");
-    relight_.texts.push_back("glossy.vert");
+    if (meets_light) relight_.texts.emplace_back("glossy_light.glsl");
+    if (!lit_.empty()) relight_.texts.emplace_back("clusters.glsl");
+    relight_.texts.emplace_back("glossy.vert");
     data_.add_attribute("normal", 2, transfer_.mesh.normals);
     relight_.use(kernels_, "GATHER");
     relight_.define("BANDS", transfer_.degree() + 1);
     if (kernels_.has("SH_EMITTED_ZONAL")) add_lobes();
     if (kernels_.has("SH_EMITTED_ROTATE")) add_brdfs();
-    relight_.texts.push_back("glossy_relight.vert");
+    relight_.texts.emplace_back("glossy_relight.vert");
   }
 
   void add_lobes() {
@@ -121,7 +121,7 @@ class GlslEmitter {
     }
     relight_.define("COSINE", fmt::format("float[{}]({:.9e})", cosine.size(), fmt::join(cosine, ", ")));
     relight_.use(kernels_, "ZONAL");
-    relight_.texts.push_back("lobes.glsl");
+    relight_.texts.emplace_back("lobes.glsl");
     if (transfer_.mesh.specular.empty()) return;
     data_.add_attribute("specular", 4, transfer_.mesh.specular);
     data_.add_number("exponent", 5, transfer_.mesh.exponent);
@@ -131,7 +131,7 @@ class GlslEmitter {
     relight_.define("VIEWS", kViews);
     relight_.define("EVEN", even_count(transfer_.degree()));
     relight_.use(kernels_, "ROTATE");
-    relight_.texts.push_back("brdfs.glsl");
+    relight_.texts.emplace_back("brdfs.glsl");
     data_.add_texture("tables", Element::kSingle, brdfs_.tables.data(), brdfs_.tables.size() * sizeof(float));
     data_.add_number("brdf", 8, {brdfs_.numbers.begin(), brdfs_.numbers.end()});
   }

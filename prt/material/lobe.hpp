@@ -6,6 +6,9 @@
 
 namespace sh::prt {
 
+/// The largest exponent, of a lobe that degree 10 cannot tell from a mirror.
+inline constexpr float kMaxExponent = 1e6F;
+
 /// (e+1) * integral over t in 0..1 of t^e P_l(t), by I_l = I_(l-2) (e-l+2) / (e+l+1) [Hobson31]: a product of ratios, right
 /// to a few l epsilon. 1 for l = 0; towards 1 for large e. Precondition: l >= 0, 0 <= e.
 double phong_factor(int l, double exponent);

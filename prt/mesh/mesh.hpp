@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "prt/material/lobe.hpp"
 #include "prt/material/normal_map.hpp"
 #include "prt/material/reflectance.hpp"
 #include "prt/mesh/frame.hpp"
@@ -17,9 +18,6 @@
 namespace sh::prt {
 
 using Face = std::array<std::uint32_t, 3>;
-
-/// The largest exponent of a glossy lobe.
-inline constexpr float kMaxExponent = 1e6F;
 
 /// Triangles, counterclockwise as seen from outside. All vertex arrays have one length, except that `emission`,
 /// `mirror`, `specular` with `exponent`, `brdf`, and `texture` with `normal_map`, are empty if the whole mesh has none.

@@ -144,10 +144,12 @@ Measurement::Measurement(const Scene& scene, const LightCoefficients& light, Lig
     : scene_(scene), unit_(unit), lights_(turns_of(light, turns)) {
   if (has_colored_mirrors(scene.mesh)) {
     for (int c = 0; c < 3; ++c) {
-      rehearsals_.push_back(std::make_unique<Rehearsal>(in_gray(scene.mesh, c), scene.bake, instruction_set));
+      Scene gray = scene;
+      gray.mesh = in_gray(std::move(gray.mesh), c);
+      rehearsals_.push_back(std::make_unique<Rehearsal>(gray, instruction_set));
     }
   } else {
-    rehearsals_.push_back(std::make_unique<Rehearsal>(scene.mesh, scene.bake, instruction_set));
+    rehearsals_.push_back(std::make_unique<Rehearsal>(scene, instruction_set));
   }
   probe_ =
       choose_probe(scene.bake.kind->is_glossy() ? likely_glossy_errors() : likely_errors(TurningLight(light, turns)));

@@ -2,15 +2,16 @@
 // that it introduces. Errors are errors of exit radiance, RMS over the vertices. They are relative to the largest exit
 // radiance of the unshadowed mesh under the declared lights (any vertex, any channel). The reference is a bake of the
 // requested degree and kind with converged directions, under the declared lights as a whole, with all rotations that
-// PlanOptions allows. Errors of glossy kinds are RMS over the eyes, too (prt/plan/views.hpp). The loss by the requested degree itself is reported separately and not counted.
+// PlanOptions allows. Errors of glossy kinds are RMS over the eyes, too (prt/plan/views.hpp). The loss by the requested
+// degree itself is reported separately and not counted.
 //   analytic    vertices with nothing above their horizon: closed form, no rays (prt/plan/open_vertices.hpp)
 //   bounces     none, or a looser tolerance, if little light comes back
 //   channels    one, if every albedo is gray
 //   bands       a lower degree, if the omitted bands add little
 //   symmetry    only the coefficients that the lights have; diffuse kinds only
 //   storage     half or 8 bits
-//   clusters    those that the scene asks for, or the fewest of some counts for which the bake finds that they lose little;
-//               only if it asks
+//   clusters    those that the scene asks for, or the fewest of some counts for which the bake finds that they lose
+//               little; only if it asks
 //   directions  the fewest for which the error of all decisions together stays within the budget
 // A bound holds for every vertex, and so for the RMS. What is measured holds with a confidence, on a probe of vertices
 // (prt/plan/measure.hpp). The error of the plan as a whole is measured, too: the planned bake of the probe against the
@@ -33,9 +34,9 @@ struct PlanCost {
   std::int64_t rays = 0;
 };
 
-/// The work and the numbers that a bake leaves out.
 inline constexpr std::string_view kClustersDecision = "clusters";
 
+/// The work and the numbers that a bake leaves out.
 struct Plan {
   PlanRecord record;
   std::vector<std::uint8_t> open;  // (vertices), or empty: 1 if nothing blocks the vertex, so that it needs no rays

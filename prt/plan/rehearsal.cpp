@@ -54,9 +54,10 @@ Rehearsal::Half::Half(const RaySetup& first, const BakeOptions& options)
       transfer(Transfer::of(direct_kind(*options.kind), options.degree)),
       factors(options.kind->has_form_factors() ? first.mesh.positions.size() : 0) {}
 
-Rehearsal::Rehearsal(Mesh mesh, const BakeOptions& asked, const std::string& instruction_set)
-    : mesh_(std::move(mesh)),
-      asked_(asked),
+Rehearsal::Rehearsal(const Scene& scene, const std::string& instruction_set)
+    : name_(scene.name),
+      mesh_(scene.mesh),
+      asked_(scene.bake),
       first_(mesh_, coarse_options(0), tbb::this_task_arena::max_concurrency(), instruction_set) {
   for (std::uint32_t half = 0; half < halves_.size(); ++half) {
     halves_[half] = std::make_unique<Half>(first_, coarse_options(half));
@@ -80,7 +81,7 @@ void Rehearsal::bake(Half& half) const {
   fill.apply(half.transfer.coefficients.data(), length, length);
   if (asked_.kind->indirect != nullptr) {
     half.transfer.kind = asked_.kind;
-    half.transfer.scene = "its coarse bake";
+    half.transfer.scene = name_;
     solve_glossy_bounces(half.setup, {half.transfer, half.sight, nullptr}, {}, SIZE_MAX,
                          {.tolerance = kCoarseTolerance});
   }
@@ -159,13 +160,7 @@ void Rehearsal::gather_from_lobes(const BakeOptions& options, const RaySetup& se
     if (!open.empty() && open[v] != 0) return;
     std::vector<float> matrix(light.size);
     leaving.collect(rays_to_fronts(tracers.local(), mesh_, v), setup.directions.size(), matrix.data());
-    float* to = rows + i * shape.length() + shape.numbers.length();
-    for (std::size_t c = 0; c < light.channels; ++c) {
-      for (std::size_t k = 0; k < light.count; ++k) {
-        std::copy_n(matrix.data() + k * light.row + c * light.count, light.count,
-                    to + c * shape.matrices->count() + k * shape.matrices->columns());
-      }
-    }
+    light.copy(matrix.data(), *shape.matrices, rows + i * shape.length() + shape.numbers.length());
   });
 }
 
@@ -199,13 +194,11 @@ double Rehearsal::spread_between_lobes(const std::vector<LightCoefficients>& lig
       leaving.collect(rays_to_fronts(tracers.local(), mesh_, v), setup.directions.size(), reflected.of(v));
     });
     Fill(closed_vertices(mesh_, half->sight)).apply(reflected.values.data(), reflected.size, reflected.size);
-    for (std::size_t i = 0; i < local.values.size(); ++i) local.values[i] -= reflected.values[i] / 2.0F;
+    local.add(reflected, -0.5F);
   }
   std::fill(difference.coefficients.begin(), difference.coefficients.end(), 0.0F);
   const auto squares = [&](const MatrixTable& table) {
-    for_vertices(vertices, [&](std::size_t v) {
-      table.copy(v, difference.indirect.data() + v * difference.indirect_shape.length());
-    });
+    difference.indirect = table.copies(difference.indirect_shape);
     double sum = 0.0;
     for (const LightCoefficients& light : lights) {
       const std::vector<double> seen = seen_squares(TransferredRadiance(difference, light), mesh_);

@@ -12,7 +12,7 @@
 #include "prt/bake/traced_part.hpp"
 #include "prt/light/light_coefficients.hpp"
 #include "prt/plan/row_shape.hpp"
-#include "prt/scene/options.hpp"
+#include "prt/scene/scene.hpp"
 
 namespace sh::prt {
 
@@ -21,8 +21,8 @@ class Rehearsal {
   static constexpr int kCoarseDirections = 64;
 
   /// Traces the whole mesh twice, each time along kCoarseDirections of its own. Mirrors are gray; what surfaces emit does
-  /// not count. Kind and degree are those of `asked`.
-  Rehearsal(Mesh mesh, const BakeOptions& asked, const std::string& instruction_set);
+  /// not count. Kind and degree are those of the scene's bake.
+  Rehearsal(const Scene& scene, const std::string& instruction_set);
 
   /// The numbers of all vertices after a coarse bake, 0 or 1, in the shape of the asked kind.
   [[nodiscard]] const std::vector<float>& coarse(std::size_t half) const {
@@ -59,6 +59,7 @@ class Rehearsal {
                          const std::vector<std::uint8_t>& open, float* rows) const;
   [[nodiscard]] double spread_between_lobes(const std::vector<LightCoefficients>& lights) const;
 
+  std::string name_;  // the scene's
   Mesh mesh_;
   BakeOptions asked_;
   RaySetup first_;

@@ -9,12 +9,6 @@
 
 namespace sh::prt {
 
-namespace {
-
-constexpr std::size_t kChannels = 3;
-
-}  // namespace
-
 Eigen::Vector3f Views::to_eye(const Mesh& mesh, std::size_t vertex, std::size_t eye) {
   constexpr double kGolden = 1.0 / std::numbers::phi;
   const double square = (static_cast<double>(eye) + 0.5) / static_cast<double>(kEyes);
@@ -25,28 +19,23 @@ Eigen::Vector3f Views::to_eye(const Mesh& mesh, std::size_t vertex, std::size_t 
   return (frame_about(mesh.geometric_normals[vertex]) * local.cast<float>()).normalized();
 }
 
-Views::Views(const Mesh& mesh, std::size_t vertex, int degree)
-    : count_(coefficient_count(degree)), lobes_(kEyes * kChannels * count_, 0.0F) {
+Views::Views(const Mesh& mesh, std::size_t vertex, int degree) {
+  const auto count = static_cast<Eigen::Index>(coefficient_count(degree));
   const Material material = material_of(mesh, vertex, mesh.albedo[vertex]);
   for (std::size_t eye = 0; eye < kEyes; ++eye) {
-    float* sum = lobes_.data() + eye * kChannels * count_;
+    lobes_[eye].setZero(count, 3);
     for_exit_lobes(material, degree, mesh.normals[vertex], to_eye(mesh, vertex, eye),
                    [&](const Eigen::Vector3f& color, const float* lobe) {
-                     for (std::size_t i = 0; i < kChannels * count_; ++i) {
-                       sum[i] += color[static_cast<Eigen::Index>(i / count_)] * lobe[i % count_];
-                     }
+                     lobes_[eye] += Eigen::Map<const Eigen::VectorXf>(lobe, count) * color.transpose();
                    });
   }
 }
 
 std::array<Eigen::Vector3d, Views::kEyes> Views::radiance(const float* reaching) const {
   std::array<Eigen::Vector3d, kEyes> radiance;
-  const float* lobe = lobes_.data();
-  for (Eigen::Vector3d& seen : radiance) {
-    seen.setZero();
-    for (std::size_t i = 0; i < kChannels * count_; ++i, ++lobe) {
-      seen[static_cast<Eigen::Index>(i / count_)] += static_cast<double>(*lobe) * static_cast<double>(reaching[i]);
-    }
+  const Eigen::Map<const Eigen::MatrixX3f> light(reaching, lobes_[0].rows(), 3);
+  for (std::size_t eye = 0; eye < kEyes; ++eye) {
+    radiance[eye] = lobes_[eye].cwiseProduct(light).colwise().sum().cast<double>();
   }
   return radiance;
 }

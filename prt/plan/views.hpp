@@ -28,8 +28,7 @@ class Views {
   static Eigen::Vector3f to_eye(const Mesh& mesh, std::size_t vertex, std::size_t eye);
 
  private:
-  std::size_t count_;
-  std::vector<float> lobes_;  // (kEyes, 3, bands^2)
+  std::array<Eigen::MatrixX3f, kEyes> lobes_;  // (bands^2, 3) each
 };
 
 /// The mean over the eyes of the square of exit radiance in the largest channel, for each vertex of `mesh`.

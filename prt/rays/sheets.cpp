@@ -82,7 +82,7 @@ void Sheets::face_ray(bool from_behind, Hit& hit) const {
     hit.face = front.face;
     return;
   }
-  const std::array<float, 3> weights = {1.0F - hit.u - hit.v, hit.u, hit.v};
+  const std::array<float, 3> weights = hit.parts();
   hit.face = front.back;
   hit.u = weights[(front.turn + 2) % 3];
   hit.v = weights[(front.turn + 1) % 3];

@@ -1,6 +1,7 @@
 // Sheets: pairs of coinciding faces with opposite orientation. Both faces are at the same distance along every ray.
 // Rays therefore test only one of them, and the ray's direction then tells which side is hit.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -15,13 +16,17 @@ struct Hit {
   float u = 0.0F;
   float v = 0.0F;
   float distance = 0.0F;
+
+  /// The parts of the corners.
+  [[nodiscard]] std::array<float, 3> parts() const { return {1.0F - u - v, u, v}; }
 };
 
-/// The value at a hit: (1-u-v) a + u b + v c, where a, b, c are the values at the corners of the face.
+/// The value at a hit: the sum of the values at the corners of the face times their parts.
 template <class Value>
 Value interpolated(const Hit& hit, const Mesh& mesh, const std::vector<Value>& values) {
   const Face& face = mesh.faces[hit.face];
-  return (1.0F - hit.u - hit.v) * values[face[0]] + hit.u * values[face[1]] + hit.v * values[face[2]];
+  const std::array<float, 3> part = hit.parts();
+  return part[0] * values[face[0]] + part[1] * values[face[1]] + part[2] * values[face[2]];
 }
 
 class Sheets {

@@ -72,9 +72,6 @@ Eigen::Vector3f summed(int degree, const float* lobe, const float* reaching) {
   return sums;
 }
 
-// What the corners of a face add to a hit.
-std::array<float, 3> parts_of(const Hit& hit) { return {1.0F - hit.u - hit.v, hit.u, hit.v}; }
-
 }  // namespace
 
 TransferredRadiance::TransferredRadiance(const Transfer& transfer, const LightCoefficients& light)
@@ -120,7 +117,7 @@ TransferredRadiance::TransferredRadiance(const Transfer& transfer, const LightCo
 
 void TransferredRadiance::at(const Hit& hit, const Mesh& mesh, float* out) const {
   const Face& face = mesh.faces[hit.face];
-  const std::array<float, 3> part = parts_of(hit);
+  const std::array<float, 3> part = hit.parts();
   const std::array<const float*, 3> corner = {at(face[0]), at(face[1]), at(face[2])};
   for (std::size_t i = 0; i < kChannels * coefficient_count(degree_); ++i) {
     out[i] = part[0] * corner[0][i] + part[1] * corner[1][i] + part[2] * corner[2][i];
@@ -136,8 +133,11 @@ Material material_of(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f
   return material;
 }
 
-bool has_one_brdf(const Mesh& mesh, const Face& face) {
-  return mesh.brdf.empty() || (mesh.brdf[face[0]] == mesh.brdf[face[1]] && mesh.brdf[face[0]] == mesh.brdf[face[2]]);
+bool has_one_finish(const Mesh& mesh, const Face& face) {
+  const auto is_one = [&face](const auto& of) {
+    return of.empty() || (of[face[0]] == of[face[1]] && of[face[0]] == of[face[2]]);
+  };
+  return is_one(mesh.brdf) && is_one(mesh.specular) && is_one(mesh.exponent);
 }
 
 Eigen::Vector3f exit_radiance(const Material& material, int degree, const float* reaching,
@@ -176,22 +176,21 @@ Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, s
     const Mesh& mesh = transfer.mesh;
     std::array<float, kChannels * kMostCoefficients> between;
     all.at(hit, mesh, between.data());
-    // A face has one finish, but its vertices have their own colors and tables.
     const Face& face = mesh.faces[hit.face];
     const Eigen::Vector3f color = interpolated(hit, mesh, colors);
     const Eigen::Vector3f normal = normals.at(hit);
-    const Material material = material_of(mesh, face[0], color);
-    const auto sent = [&](const Material& by) {
-      return exit_radiance(by, all.degree(), between.data(), normal, -direction);
+    const auto sent = [&](std::size_t corner) {
+      const Material material = material_of(mesh, face[corner], color);
+      Eigen::Vector3f radiance = exit_radiance(material, all.degree(), between.data(), normal, -direction);
+      if (more && !material.brdf && !material.specular.isZero(0.0F)) {
+        radiance += material.specular.cwiseProduct(more(hit, material.exponent, mirrored(direction, normal)));
+      }
+      return radiance;
     };
-    Eigen::Vector3f radiance = sent(material);
-    if (!has_one_brdf(mesh, face)) {
-      const std::array<float, 3> part = parts_of(hit);
-      radiance *= part[0];
-      for (std::size_t k = 1; k < 3; ++k) radiance += part[k] * sent(material_of(mesh, face[k], color));
-    }
-    if (more && !material.brdf && !material.specular.isZero(0.0F)) {
-      radiance += material.specular.cwiseProduct(more(hit, material.exponent, mirrored(direction, normal)));
+    Eigen::Vector3f radiance = sent(0);
+    if (!has_one_finish(mesh, face)) {
+      const std::array<float, 3> part = hit.parts();
+      radiance = part[0] * radiance + part[1] * sent(1) + part[2] * sent(2);
     }
     if (!transfer.emitted.empty()) radiance += interpolated(hit, mesh, transfer.emitted);
     return radiance;

@@ -164,7 +164,7 @@ float visibility_towards(const Transfer& transfer, const Hit& hit, const Eigen::
   std::array<float, coefficient_count(kMaxDegree)> basis;
   evaluate_basis(degree, direction.x(), direction.y(), direction.z(), basis.data());
   const Face& face = transfer.mesh.faces[hit.face];
-  const std::array<float, 3> parts = {1.0F - hit.u - hit.v, hit.u, hit.v};
+  const std::array<float, 3> parts = hit.parts();
   float seen = 0.0F;
   std::vector<float> room;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -34,6 +34,7 @@ struct BakeOptions {
   BounceOptions bounces = {};     // interreflected only
   ClusterCounts compress = {};    // without clusters: rows as they are
   bool compress_by_plan = false;  // in place of `compress`: a plan with an error chooses the counts
+  bool fit_lobes = false;         // glossy kinds only: lobes in place of BRDFs
 };
 
 /// The rotations that the declared lights, as a whole, may later get.

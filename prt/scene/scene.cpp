@@ -78,7 +78,7 @@ Camera read_camera(const JsonReader& reader, const Camera& otherwise) {
 }
 
 BakeOptions read_bake_options(const JsonReader& reader) {
-  reader.allow({"degree", "directions", "sampler", "seed", "transfer", "tolerance", "compress"});
+  reader.allow({"degree", "directions", "sampler", "seed", "transfer", "tolerance", "compress", "fit_lobes"});
   BakeOptions options;
   reader.take("degree", options.degree, &JsonReader::integer, 0, kMaxDegree);
   reader.take("directions", options.directions, &JsonReader::integer, 1, kMaxDirections);
@@ -88,6 +88,7 @@ BakeOptions read_bake_options(const JsonReader& reader) {
   reader.take("transfer", options.kind, [](const JsonReader& value) {
     return find_kind(&TransferKind::word, value.one_of(kind_names(&TransferKind::word)));
   });
+  reader.take("fit_lobes", options.fit_lobes, &JsonReader::boolean);
   reader.take("compress", options.compress, [&](const JsonReader& value) {
     options.compress_by_plan = value.is("string");
     if (options.compress_by_plan) {

@@ -107,7 +107,7 @@ class PathTracer {
   // The corner whose material the path meets: as often as it is near where the corners differ.
   [[nodiscard]] std::uint32_t corner_of(const Hit& hit, std::mt19937& random) const {
     const Face& face = mesh_.faces[hit.face];
-    if (has_one_brdf(mesh_, face)) return face[0];
+    if (has_one_finish(mesh_, face)) return face[0];
     const float at = std::uniform_real_distribution<float>(0.0F, 1.0F)(random);
     return at < hit.u ? face[1] : at < hit.u + hit.v ? face[2] : face[0];
   }

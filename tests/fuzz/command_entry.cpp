@@ -160,7 +160,8 @@ constexpr std::array kWords = {"bake",
                                "--direction",
                                "--compress",
                                "--sharp",
-                               "--compress-auto"};
+                               "--compress-auto",
+                               "--fit-lobes"};
 static_assert(kWords.size() <= 256);
 
 /// A folder with small files of every type; the tool runs in it.
@@ -235,15 +236,19 @@ bool may_begin(std::string_view word) {
   return std::find(kWords.begin(), end, word) != end || word == "fix-view" || word == "grid";
 }
 
-// A picture takes 16 rays for each pixel, of half a million unless its size is given; a mesh file alone takes 2,048
-// directions.
+// A picture takes 16 rays for each pixel, of half a million unless its size is given. A mesh file alone takes 2,048
+// directions for each of the thousands of vertices of its ground: a second, and several for a plan.
 bool is_quick(const std::vector<std::string>& words) {
   const auto has = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
   const std::string command = words.size() > 1 ? words[1] : "";
   const bool draws = command == "render" || command == "compare" || command == "grid";
   const bool has_width = words.size() > 3 && words[2] == "--width" && is_small(words[3]);
   const bool has_height = words.size() > 5 && words[4] == "--height" && is_small(words[5]);
-  return (!draws || (has_width && (has_height || command == "grid"))) && (!has("a.obj") || has("--directions"));
+  const auto frames = std::find(words.begin(), words.end(), "--frames");
+  const bool has_few_frames = words.end() - frames < 2 || is_small(*std::next(frames));
+  const bool is_mesh_alone = has("a.obj") && !has("a.json");
+  return (!draws || (has_width && (has_height || command == "grid"))) && has_few_frames &&
+         (!is_mesh_alone || (has("--directions") && words.size() <= 6));
 }
 
 // Whether the words name the file as output and nowhere else. The stage reads a.transfer, a.json reads a.obj.

@@ -54,6 +54,7 @@ TEST(MakePlan, ChangesTheBakeOfTheSceneToFollowItWithinTheBudget) {
   for (const TransferKind* kind : {&kUnshadowed, &kShadowed, &kInterreflected}) {
     Scene scene = lit_scene(kind, PlanMode::kLossy, 0.2);
     const BakeOptions asked = scene.bake;
+    const Rehearsal rehearsal(scene, kBestSet);
     const Plan plan = make_plan(scene, kBestSet);
     EXPECT_LT(scene.bake.degree, asked.degree);
     EXPECT_EQ(scene.bake.directions < asked.directions, kind != &kUnshadowed);
@@ -63,7 +64,7 @@ TEST(MakePlan, ChangesTheBakeOfTheSceneToFollowItWithinTheBudget) {
     EXPECT_LE(plan.record.error, 0.2);
     EXPECT_LT(plan.planned.bytes, plan.asked.bytes);
     EXPECT_EQ(plan.known_by.substr(0, 8), "measured");
-    const double rays = 1024.0 * Rehearsal(scene.mesh, asked, kBestSet).rays_a_direction();
+    const double rays = 1024.0 * rehearsal.rays_a_direction();
     EXPECT_NEAR(static_cast<double>(plan.asked.rays), rays, 1.0) << "with those that find closest hits";
     const LightCoefficients light = project(load_lights(scene.lights, OnFlaw::kRefuse), 3);
     EXPECT_DOUBLE_EQ(plan.reference, largest_unshadowed_radiance(scene.mesh, light));

@@ -122,10 +122,9 @@ TEST(HemisphereBound, HoldsForAnyVisibilityAndIsMetByTheHemisphere) {
 TEST(Rehearsal, HasTheVisibilityOfABake) {
   const Mesh mesh = lobed();
   const BakeOptions asked{.degree = 2, .directions = 300, .seed = 5, .kind = &kGlossyShadowed};
-  const Rehearsal rehearsal(mesh, asked, "");
+  const Rehearsal rehearsal(scene_of(mesh, asked), "");
   const auto is_closed = [&](std::uint32_t v) { return rehearsal.sight(0)[v].closed() > 0.0F; };
-  Scene scene = scene_of(mesh, asked.kind);
-  scene.bake = asked;
+  Scene scene = scene_of(mesh, asked);
   const Transfer whole = bake(scene);
   const std::vector<float> rows = rehearsal.rows(asked, {mesh, all_vertices(mesh), is_closed}, {});
   ASSERT_EQ(rows.size(), whole.coefficients.size());
@@ -139,8 +138,7 @@ std::vector<float> reaching_in_coarse(const Rehearsal& rehearsal, const Mesh& me
   for (std::size_t c = 0; c < 3; ++c) light.at(c, k) = 1.0;
   std::vector<float> sum(mesh.positions.size() * 3 * light.bands_squared(), 0.0F);
   for (const std::uint32_t half : {0U, 1U}) {
-    Scene scene = scene_of(mesh, asked.kind);
-    scene.bake = asked;
+    Scene scene = scene_of(mesh, asked);
     scene.bake.directions = Rehearsal::kCoarseDirections;
     scene.bake.sampler = Sampler::kSobol;
     scene.bake.seed = half + 1;
@@ -157,7 +155,7 @@ std::vector<float> reaching_in_coarse(const Rehearsal& rehearsal, const Mesh& me
 TEST(Rehearsal, GathersWhatLobesSendByTheCoarseBakes) {
   Mesh mesh = finished(bowl({0.3F, 0.4F, 0.2F}), {0.3F, 0.4F, 0.2F}, {0.5F, 0.2F, 0.3F}, 6.0F);
   const BakeOptions asked{.degree = 2, .directions = 200, .kind = &kGlossyInterreflected};
-  const Rehearsal rehearsal(mesh, asked, "");
+  const Rehearsal rehearsal(scene_of(mesh, asked), "");
   const std::vector<std::uint32_t> wanted = {7, 20};
   const auto never = [](std::uint32_t) { return false; };
   const std::vector<float> rows = rehearsal.rows(asked, {mesh, wanted, never}, {});
@@ -210,8 +208,7 @@ TEST(Rehearsal, GathersWhatLobesSendByTheCoarseBakes) {
 TEST(Rehearsal, MeasuresHowMuchLobesSpreadDifferences) {
   const auto spread = [](float reflectance, const TransferKind* kind) {
     const Mesh mesh = polished(bowl({0.5F, 0.5F, 0.5F}), 0.5F * reflectance, 0.5F * reflectance, 4.0F);
-    const BakeOptions asked{.degree = 2, .kind = kind};
-    return Rehearsal(mesh, asked, "").spread({random_light(2, 3), random_light(2, 4)});
+    return Rehearsal(scene_of(mesh, kind, 64, 2), "").spread({random_light(2, 3), random_light(2, 4)});
   };
   EXPECT_EQ(spread(0.9F, &kGlossyShadowed), 1.0) << "no bounces";
   EXPECT_EQ(spread(0.0F, &kGlossyInterreflected), 1.0) << "black";

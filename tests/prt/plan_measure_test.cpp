@@ -80,7 +80,7 @@ TEST(Rehearsal, BakesTheWholeMeshTwiceInSmall) {
         rays += report.rays;
       }
       shine(mesh, Eigen::Vector3f::Ones());  // of no interest to plans
-      const Rehearsal rehearsal(mesh, asked, "");
+      const Rehearsal rehearsal(scene_of(mesh, asked), "");
       for (const std::size_t half : {0U, 1U}) {
         EXPECT_LT(largest_gap(rehearsal.coarse(half), expected[half]), 1e-6) << kind->word;
         EXPECT_EQ(rehearsal.sight(half).size(), mesh.positions.size());
@@ -98,7 +98,7 @@ TEST(Rehearsal, HasTheRowsOfABakeWithoutBounces) {
   std::reverse(wanted.begin(), wanted.end());
   for (const TransferKind* kind : {&kUnshadowed, &kShadowed}) {
     const BakeOptions asked{.degree = 2, .directions = 300, .seed = 5, .kind = kind};
-    const Rehearsal rehearsal(mesh, asked, "");
+    const Rehearsal rehearsal(scene_of(mesh, asked), "");
     const auto is_closed = [&](std::uint32_t v) { return rehearsal.sight(0)[v].closed() > 0.0F; };
     ASSERT_TRUE(kind == &kUnshadowed || std::any_of(wanted.begin(), wanted.end(), is_closed));
     const Transfer whole = bake_of(mesh, asked);
@@ -118,7 +118,7 @@ TEST(Rehearsal, HasTheRowsOfABakeWithoutBounces) {
 TEST(Rehearsal, TakesOpenVerticesAsUnshadowed) {
   const Mesh mesh = bowl(Eigen::Vector3f::Constant(0.5F));
   const BakeOptions asked{.degree = 2, .directions = 300};
-  const Rehearsal rehearsal(mesh, asked, "");
+  const Rehearsal rehearsal(scene_of(mesh, asked), "");
   std::vector<std::uint8_t> open(mesh.positions.size(), 0);
   open[3] = 1;
   const std::vector<float> rows = rehearsal.rows(asked, {mesh, {2, 3}, kNeverClosed}, open);
@@ -135,7 +135,7 @@ TEST(Rehearsal, TakesOpenVerticesAsUnshadowed) {
 TEST(Rehearsal, GathersTheLightOfTheCoarseBakes) {
   const Mesh mesh = bowl({0.25F, 0.5F, 0.75F});
   const BakeOptions asked{.degree = 1, .directions = 300, .kind = &kInterreflected};
-  const Rehearsal rehearsal(mesh, asked, "");
+  const Rehearsal rehearsal(scene_of(mesh, asked), "");
   const std::vector<std::uint32_t> wanted = {7, 20, 1};
   const std::vector<float> rows = rehearsal.rows(asked, {mesh, wanted, kNeverClosed}, {});
   ASSERT_EQ(rows.size(), wanted.size() * 12);
@@ -184,17 +184,18 @@ double dense_spread(const Rehearsal& rehearsal, const Mesh& mesh, const BakeOpti
 
 TEST(Rehearsal, MeasuresHowMuchBouncesSpreadDifferences) {
   const Mesh mesh = bowl({0.75F, 0.5F, 0.95F});
-  BakeOptions asked{.degree = 1, .kind = &kInterreflected};
-  const Rehearsal rehearsal(mesh, asked, "");
+  Scene scene = scene_of(mesh, &kInterreflected, 64, 1);
+  const Rehearsal rehearsal(scene, "");
   const std::vector<LightCoefficients> lights = {random_light(1, 3), random_light(1, 4)};
-  const double expected = dense_spread(rehearsal, mesh, asked, lights);
+  const double expected = dense_spread(rehearsal, mesh, scene.bake, lights);
   EXPECT_GT(expected, 1.05);
   EXPECT_NEAR(rehearsal.spread(lights), expected, 1e-4);
-  EXPECT_NEAR(rehearsal.spread({lights[1]}), dense_spread(rehearsal, mesh, asked, {lights[1]}), 1e-4);
-  asked.kind = &kShadowed;
-  EXPECT_EQ(Rehearsal(mesh, asked, "").spread(lights), 1.0) << "no bounces";
-  asked.kind = &kInterreflected;
-  EXPECT_EQ(Rehearsal(primitive_mesh("plane"), asked, "").spread(lights), 1.0) << "no differences";
+  EXPECT_NEAR(rehearsal.spread({lights[1]}), dense_spread(rehearsal, mesh, scene.bake, {lights[1]}), 1e-4);
+  scene.bake.kind = &kShadowed;
+  EXPECT_EQ(Rehearsal(scene, "").spread(lights), 1.0) << "no bounces";
+  scene.bake.kind = &kInterreflected;
+  scene.mesh = primitive_mesh("plane");
+  EXPECT_EQ(Rehearsal(scene, "").spread(lights), 1.0) << "no differences";
 }
 
 Scene little_scene(const TransferKind* kind, int degree = 2) { return scene_of(box_in_square(), kind, 256, degree); }
@@ -330,7 +331,7 @@ TEST(Measurement, ComparesWithMoreAndOtherDirections) {
 TEST(Measurement, KnowsWhatIsBlockedFromBothCoarseBakes) {
   const Scene scene = little_scene(&kShadowed);
   const Measurement measurement(scene, random_light(2, 7), LightTurns::kNone, 1.0, "");
-  const Rehearsal rehearsal(scene.mesh, scene.bake, "");
+  const Rehearsal rehearsal(scene, "");
   EXPECT_EQ(measurement.rays_a_direction(), rehearsal.rays_a_direction());
   std::size_t dark = 0;
   for (std::size_t v = 0; v < scene.mesh.positions.size(); ++v) {
@@ -362,7 +363,7 @@ TEST(Measurement, KeepsOfNumbersWhatAFileKeeps) {
     shape.storage.element = Element::kByte;
     const std::vector<float> bytes = measurement.kept(rows, shape);
     std::vector<float> largest(shape.length(), 0.0F);  // of the coarse bake and the probe
-    const Rehearsal rehearsal(scene.mesh, scene.bake, "");
+    const Rehearsal rehearsal(scene, "");
     for (const std::vector<float>& numbers : {rows, rehearsal.coarse(0)}) {
       for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (i % 9 >= 4) continue;
@@ -411,7 +412,7 @@ TEST(Measurement, TakesEachChannelOfItsOwnMirrors) {
   double spread = 1.0;
   double rays = 0.0;
   for (int c = 0; c < 3; ++c) {
-    const Rehearsal channel(in_gray(scene.mesh, c), scene.bake, "");
+    const Rehearsal channel(scene_of(in_gray(scene.mesh, c), scene.bake), "");
     const TracedPart part(scene.mesh, measurement.probe().vertices, is_closed, 1);
     const std::vector<float> own = channel.rows(scene.bake, part, {});
     ASSERT_EQ(own.size(), rows.size());
@@ -435,7 +436,7 @@ TEST(Measurement, SpreadsByTheFirstTurns) {
   const Measurement measurement(scene, light, LightTurns::kAboutZ, 1.0, "");
   std::vector<LightCoefficients> turns = turns_of_light(light, LightTurns::kAboutZ);
   turns.resize(4, LightCoefficients::zero(1));
-  EXPECT_NEAR(measurement.spread(), Rehearsal(scene.mesh, scene.bake, "").spread(turns), 1e-12);
+  EXPECT_NEAR(measurement.spread(), Rehearsal(scene, "").spread(turns), 1e-12);
   EXPECT_GT(measurement.spread(), 1.05);
 }
 
@@ -508,7 +509,7 @@ TEST(Measurement, ChoosesItsProbeWhereErrorsAreLikely) {
   ASSERT_GT(scene.mesh.positions.size(), 2 * Probe::kVertices);
   const LightCoefficients light = random_light(1, 7);
   const TurningLight turning(light, LightTurns::kAboutZ);
-  const Rehearsal rehearsal(scene.mesh, scene.bake, "");
+  const Rehearsal rehearsal(scene, "");
   const TransferShape shape = kInterreflected.shape(1);
   std::vector<double> likely;
   std::size_t closed = 0;

@@ -19,14 +19,16 @@ inline void shine(Mesh& mesh, const Eigen::Vector3f& radiance) {
   mesh.emission.assign(mesh.positions.size(), radiance);
 }
 
-inline Scene scene_of(Mesh mesh, const TransferKind* kind, int directions = 1024, int degree = 2) {
+inline Scene scene_of(Mesh mesh, const BakeOptions& options) {
   Scene scene;
   scene.name = "test";
   scene.mesh = std::move(mesh);
-  scene.bake.kind = kind;
-  scene.bake.degree = degree;
-  scene.bake.directions = directions;
+  scene.bake = options;
   return scene;
+}
+
+inline Scene scene_of(Mesh mesh, const TransferKind* kind, int directions = 1024, int degree = 2) {
+  return scene_of(std::move(mesh), BakeOptions{.degree = degree, .directions = directions, .kind = kind});
 }
 
 /// A primitive whose shading normals are its geometric normals: else the horizon of a vertex would cut its view.
