@@ -44,7 +44,7 @@ constexpr std::array kWords = {"bake",
                                "b.transfer",
                                "stage.json",
                                "lights.json",
-                               "a.obj",
+                               "a.stl",
                                "none.json",
                                "missing/x.png",
                                ".",
@@ -164,14 +164,25 @@ constexpr std::array kWords = {"bake",
                                "--fit-lobes"};
 static_assert(kWords.size() <= 256);
 
+// The triangles with these corners; assimp reads it without the megabytes that other formats take.
+std::string stl(const std::vector<std::string>& corners) {
+  std::string text = "solid a\n";
+  for (std::size_t i = 0; i < corners.size(); i += 3) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (std::size_t k = i; k < i + 3; ++k) text += "vertex " + corners[k] + "\n";
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid a\n";
+}
+
 /// A folder with small files of every type; the tool runs in it.
 class Workplace {
  public:
   Workplace() {
     using prt::write_transfer;
     std::filesystem::current_path(folder_.path());
-    write_all("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3 4\nf 1 2 5\n");
-    write_all("a.json", R"({"meshes": [{"file": "a.obj"}], "bake": {"degree": 1, "directions": 16}})");
+    write_all("a.stl", stl({"0 0 0", "1 0 0", "1 1 0", "0 0 0", "1 1 0", "0 1 0", "0 0 0", "1 0 0", "0 0 1"}));
+    write_all("a.json", R"({"meshes": [{"file": "a.stl"}], "bake": {"degree": 1, "directions": 16}})");
     write_all("stage.json",
               R"({"objects": [{"transfer": "a.transfer"}, {"transfer": "a.transfer", "position": [2, 0, 0],
                                 "move": [{"time": 0}, {"time": 1, "degrees": 90}]}]})");
@@ -246,16 +257,16 @@ bool is_quick(const std::vector<std::string>& words) {
   const bool has_height = words.size() > 5 && words[4] == "--height" && is_small(words[5]);
   const auto frames = std::find(words.begin(), words.end(), "--frames");
   const bool has_few_frames = words.end() - frames < 2 || is_small(*std::next(frames));
-  const bool is_mesh_alone = has("a.obj") && !has("a.json");
+  const bool is_mesh_alone = has("a.stl") && !has("a.json");
   return (!draws || (has_width && (has_height || command == "grid"))) && has_few_frames &&
-         (!is_mesh_alone || (has("--directions") && words.size() <= 6));
+         (!is_mesh_alone || (command == "bake" && has("--directions") && words.size() <= 6));
 }
 
-// Whether the words name the file as output and nowhere else. The stage reads a.transfer, a.json reads a.obj.
+// Whether the words name the file as output and nowhere else. The stage reads a.transfer, a.json reads a.stl.
 bool is_only_output(const std::string& file, const std::vector<std::string>& words) {
   const auto named = std::find(words.begin(), words.end(), file);
   const auto stage = std::find(words.begin(), words.end(), "stage.json");
-  const bool is_read = file == "a.obj" || (file == "a.transfer" && stage != words.end());
+  const bool is_read = file == "a.stl" || (file == "a.transfer" && stage != words.end());
   return named != words.end() && *std::prev(named) == "-o" && !is_read && std::count(named, words.end(), file) == 1;
 }
 
