@@ -247,19 +247,21 @@ bool may_begin(std::string_view word) {
   return std::find(kWords.begin(), end, word) != end || word == "fix-view" || word == "grid";
 }
 
-// A picture takes 16 rays for each pixel, of half a million unless its size is given. A mesh file alone takes 2,048
-// directions for each of the thousands of vertices of its ground: a second, and several for a plan.
+// A picture takes 16 rays for each pixel, of half a million unless its size is given. A mesh file alone gets a ground of
+// thousands of vertices.
 bool is_quick(const std::vector<std::string>& words) {
-  const auto has = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
   const std::string command = words.size() > 1 ? words[1] : "";
   const bool draws = command == "render" || command == "compare" || command == "grid";
   const bool has_width = words.size() > 3 && words[2] == "--width" && is_small(words[3]);
   const bool has_height = words.size() > 5 && words[4] == "--height" && is_small(words[5]);
   const auto frames = std::find(words.begin(), words.end(), "--frames");
   const bool has_few_frames = words.end() - frames < 2 || is_small(*std::next(frames));
-  const bool is_mesh_alone = has("a.stl") && !has("a.json");
-  return (!draws || (has_width && (has_height || command == "grid"))) && has_few_frames &&
-         (!is_mesh_alone || (command == "bake" && has("--directions") && words.size() <= 6));
+  bool is_mesh_alone = false;  // not only an output
+  for (std::size_t i = 2; i < words.size(); ++i) {
+    const bool is_output = words[i - 1] == "-o" || words[i - 1] == "--checkpoint";
+    is_mesh_alone = is_mesh_alone || (words[i] == "a.stl" && !is_output);
+  }
+  return (!draws || (has_width && (has_height || command == "grid"))) && has_few_frames && !is_mesh_alone;
 }
 
 // Whether the words name the file as output and nowhere else. The stage reads a.transfer, a.json reads a.stl.

@@ -162,6 +162,11 @@ TEST(LobeFit, GainsNoLightAndIsNeverNegative) {
   EXPECT_NEAR(scaled.diffuse[0] + scaled.specular[0] + scaled.diffuse[1] + scaled.specular[1], 1.0, 1e-12);
   EXPECT_LE(scaled.error, 0.4 / 1.4 + 1e-6);
   EXPECT_GT(scaled.error, 0.25) << "of the scaled fit";
+  const LobeFit measured =
+      fit_lobe({table_of(9.0, {Eigen::Vector2d(0.9, 0.35), {0.1, 0.3}, {0.2, 0.0}}).data(), true}, 4);
+  EXPECT_NEAR(measured.diffuse[0] + measured.specular[0], 1.0, 1e-12) << "the brightest channel";
+  EXPECT_NEAR(measured.diffuse[1] + measured.specular[1], 0.4 / 1.25, 0.01);
+  EXPECT_NEAR(measured.diffuse[2], 0.2 / 1.25, 0.01);
   EXPECT_EQ(fit_lobe({ReflectanceTable(kReflectanceTableSize, 0.0F).data()}, 4).error, 0.0) << "black";
 }
 
@@ -193,6 +198,14 @@ TEST(FitLobes, ReplacesTablesAndNothingElse) {
   EXPECT_LT((mesh.albedo[5] - Eigen::Vector3f(0.5F, 0.2F, 0.1F)).norm(), 3e-3F);
   EXPECT_LT((mesh.specular[5] - Eigen::Vector3f(0.1F, 0.3F, 0.4F)).norm(), 3e-3F);
   EXPECT_NEAR(mesh.exponent[5], 9.0F, 0.05F);
+  Mesh plain = primitive_mesh("plane");
+  plain.brdfs.number_of(microfacet_reflectance(0.3F, 1.0F));
+  plain.brdf = {0, 1, 0, 0};
+  fit_lobes(plain, 3);
+  ASSERT_EQ(plain.specular.size(), 4U) << "a mesh without lobes";
+  ASSERT_EQ(plain.exponent.size(), 4U);
+  EXPECT_EQ(plain.exponent[1], expected.exponent);
+  EXPECT_EQ(plain.specular[0], Eigen::Vector3f::Zero());
   const std::vector<FittedBrdf> none = fit_lobes(mesh, 3);
   EXPECT_TRUE(none.empty());
   EXPECT_EQ(described({"clay", {.exponent = 12.5F, .error = 0.125}}),

@@ -160,16 +160,17 @@ TEST(NormalMap, BelowTheHorizonIsFiniteInEveryKindAndFinish) {
   }
 }
 
-// The coordinates are turned, mirrored and stretched; what u and v point to, the derivatives of the place say.
+// The coordinates are turned, mirrored, stretched and scaled; what u and v point to, the derivatives of the place say.
 TEST(ShadingNormals, FollowTheTextureCoordinates) {
   Mesh mesh = mapped("plane", one_color(texel_of(kTilted)));
   for (const float mirror : {1.0F, -1.0F}) {
     for (int quarter = 0; quarter < 4; ++quarter) {
-      for (const float stretch : {1.0F, 1e-3F, 50.0F}) {
+      for (const auto& [stretch, size] :
+           {std::pair(1.0F, 1.0F), {1e-3F, 1.0F}, {50.0F, 1.0F}, {1.0F, 1e-4F}, {3.0F, 1e4F}}) {
         const Eigen::Rotation2Df turn(0.5F * std::numbers::pi_v<float> * static_cast<float>(quarter));
         const Eigen::Matrix2f place_of = turn.toRotationMatrix() * Eigen::DiagonalMatrix<float, 2>(mirror, stretch);
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-          mesh.texture[v] = place_of.inverse() * mesh.positions[v].head<2>();
+          mesh.texture[v] = size * (place_of.inverse() * mesh.positions[v].head<2>());
         }
         const Eigen::Vector2f along_u = place_of.col(0).normalized();
         const Eigen::Vector2f along_v = place_of.col(1).normalized();
@@ -220,12 +221,14 @@ TEST(ShadingNormals, OfASphereTurnAboutItsOwnNormals) {
 }
 
 TEST(ShadingNormals, AreNotMappedWhereCoordinatesHaveNoAreaOrTexelsNoLength) {
-  Mesh mesh = mapped("plane", one_color(texel_of(kTilted)));
-  const std::vector<Eigen::Vector2f> good = mesh.texture;
-  for (const Eigen::Vector2f& factor :
-       {Eigen::Vector2f(0.0F, 0.0F), Eigen::Vector2f(1.0F, 0.0F), Eigen::Vector2f(1.0F, 1e-9F)}) {
-    for (std::size_t v = 0; v < good.size(); ++v) mesh.texture[v] = good[v].cwiseProduct(factor);
-    EXPECT_EQ(ShadingNormals(mesh).at({0, 0.2F, 0.3F, 1.0F}), Eigen::Vector3f::UnitZ());
+  for (const Eigen::Vector3f& texel : {texel_of(kTilted), Eigen::Vector3f::Zero().eval()}) {  // one points inwards
+    Mesh mesh = mapped("plane", one_color(texel));
+    const std::vector<Eigen::Vector2f> good = mesh.texture;
+    for (const Eigen::Vector2f& factor :
+         {Eigen::Vector2f(0.0F, 0.0F), Eigen::Vector2f(1.0F, 0.0F), Eigen::Vector2f(1.0F, 1e-9F)}) {
+      for (std::size_t v = 0; v < good.size(); ++v) mesh.texture[v] = good[v].cwiseProduct(factor);
+      EXPECT_EQ(ShadingNormals(mesh).at({0, 0.2F, 0.3F, 1.0F}), Eigen::Vector3f::UnitZ());
+    }
   }
   const Mesh empty = mapped("plane", one_color(Eigen::Vector3f::Constant(0.5F)));
   EXPECT_LT((ShadingNormals(empty).at({0, 0.2F, 0.3F, 1.0F}) - Eigen::Vector3f::UnitZ()).norm(), 1e-6F);
@@ -319,6 +322,8 @@ TEST(NormalMaps, AreKeptOnceAndFoundAmongOthers) {
   EXPECT_LT((maps.normal(1, {0.1F, 0.1F}) - kTilted).norm(), 1e-3F);
   EXPECT_EQ(maps.texel_count(), 16U);
   EXPECT_EQ(maps.at(2), normal_map_of("a", one_color(texel_of(kTilted), 2, 3)));
+  EXPECT_EQ(maps.number_of(maps.at(1)), 1U);
+  EXPECT_EQ(maps.number_of(maps.at(2)), 2U);
   const NormalMap scaled = normal_map_of("s", one_color(texel_of({0.5F, -0.25F, 1.0F})), 2.0F);
   EXPECT_EQ(static_cast<float>(scaled.texels[0]), 1.0F);
   EXPECT_EQ(static_cast<float>(scaled.texels[1]), -0.5F);
