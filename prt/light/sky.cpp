@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "numeric/oracle/quadrature.hpp"
+#include "prt/angles.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/light_coefficients.hpp"
 #include "prt/light/light_shapes.hpp"
@@ -45,10 +46,6 @@ double gradation(const SkyParameters& sky, double cosine) { return 1.0 + sky.a *
 double indicatrix(const SkyParameters& sky, double chi) {
   const double cosine = std::cos(chi);
   return 1.0 + sky.c * (std::exp(sky.d * chi) - std::exp(sky.d * 0.5 * kPi)) + sky.e * cosine * cosine;
-}
-
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return 2.0 * std::atan2((a - b).norm(), (a + b).norm());
 }
 
 const SkyParameters& parameters(int type) {
@@ -112,7 +109,7 @@ void turn_even(double azimuth, int degree, std::vector<double>& coefficients) {
 }
 
 double at_zenith(const SkyParameters& sky, const Eigen::Vector3d& sun) {
-  return indicatrix(sky, angle_between(sun, Eigen::Vector3d::UnitZ())) * gradation(sky, 1.0);
+  return indicatrix(sky, angle_between<double>(sun, Eigen::Vector3d::UnitZ())) * gradation(sky, 1.0);
 }
 
 }  // namespace

@@ -49,9 +49,9 @@ Reflectance Reflectances::at(std::size_t number) const {
   return {heads[number].name, is_measured, {from, from + kReflectanceTableSize}};
 }
 
-void reflectance_at(const float* table, int degree, float cosine, float* out) {
+void reflectance_at(const float* table, int degree, float angle, float* out) {
   constexpr float kStep = static_cast<float>(std::numbers::pi / 2) / (kViews - 1);
-  const float place = std::acos(std::clamp(cosine, 0.0F, 1.0F)) / kStep;
+  const float place = std::min(angle / kStep, kViews - 1.0F);
   const int first = std::clamp(static_cast<int>(place) - 1, 0, kViews - 4);
   const std::array<float, 4> weights = cubic_weights(place - static_cast<float>(first));
   const std::size_t count = even_count(degree);

@@ -67,9 +67,9 @@ struct Reflectances {
   [[nodiscard]] Reflectance at(std::size_t number) const;
 };
 
-/// out (kReflectionParts, even_count(degree)) = the coefficients at a cosine of the angle of view, by cubic interpolation
-/// in the angle; below 0 those of grazing view.
-void reflectance_at(const float* table, int degree, float cosine, float* out);
+/// out (kReflectionParts, even_count(degree)) = the coefficients at an angle between the normal and the view, in radians, by
+/// cubic interpolation; from pi/2 on those of grazing view. Precondition: angle >= 0.
+void reflectance_at(const float* table, int degree, float angle, float* out);
 
 /// The part of the function that the bands 0 .. degree hold, 0..1, in squares, when the eye is at 45 degrees; of all that
 /// kMaxDegree holds. A surface model has albedo 0.5 here.

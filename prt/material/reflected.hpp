@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "prt/angles.hpp"
 #include "prt/basis.hpp"
 #include "prt/material/reflectance.hpp"
 
@@ -31,7 +32,7 @@ void for_reflected_lobes(const BrdfTable& table, const Eigen::Vector3f& albedo, 
                          const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye, const Visit& visit) {
   const std::array<Eigen::Vector3f, kReflectionParts> colors = colors_of_parts(table.is_measured, albedo);
   std::array<float, kReflectionParts * even_count(kMaxDegree)> even;
-  reflectance_at(table.rows, degree, normal.dot(to_eye), even.data());
+  reflectance_at(table.rows, degree, angle_between(normal, to_eye), even.data());
   const Eigen::Matrix3f frame = surface_frame(normal, to_eye);
   std::array<float, coefficient_count(kMaxDegree)> weights;
   for (std::size_t part = 0; part < kReflectionParts; ++part) {

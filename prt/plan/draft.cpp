@@ -8,13 +8,7 @@
 
 namespace sh::prt {
 
-namespace {
-
-double angle_between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
-  return std::acos(std::clamp(a.cast<double>().dot(b.cast<double>()), -1.0, 1.0));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Draft::Draft(const Scene& the_scene, const std::string& the_instruction_set)
     : scene(the_scene),
@@ -28,7 +22,7 @@ Draft::Draft(const Scene& the_scene, const std::string& the_instruction_set)
   if (asked.kind->is_glossy()) albedo = largest_reflectance(scene.mesh);
   plan.open.assign(starts.size(), asked.kind->traces_rays() ? 0 : 1);
   for (std::size_t v = 0; v < starts.size(); ++v) {
-    const double angle = angle_between(scene.mesh.normals[v], scene.mesh.geometric_normals[v]);
+    const auto angle = static_cast<double>(angle_between(scene.mesh.normals[v], scene.mesh.geometric_normals[v]));
     upward_.push_back(asked.kind->is_glossy()             ? 0.5
                       : asked.sampler == Sampler::kCosine ? (1.0 + std::cos(angle)) / 4.0
                                                           : (1.0 - angle / std::numbers::pi) / 2.0);

@@ -5,11 +5,10 @@ struct View {
   float weights[4];
 };
 
-/// The view at the cosine between the normal and the eye; below 0 that of grazing view.
-inline View view_at(float cosine) {
+/// The view at the sine and cosine of the angle between the normal and the eye; below the surface that of grazing view.
+inline View view_at(float sine, float cosine) {
   constexpr float kStep = 1.57079633F / static_cast<float>(kViews - 1);
-  const float inside = cosine < 0.0F ? 0.0F : cosine > 1.0F ? 1.0F : cosine;
-  const float place = std::acos(inside) / kStep;
+  const float place = cosine > 0.0F ? std::atan2(sine, cosine) / kStep : static_cast<float>(kViews - 1);
   const auto before = static_cast<std::size_t>(place);
   const std::size_t first = before < 1 ? 0 : before - 1 < kViews - 4 ? before - 1 : kViews - 4;
   const float t = place - static_cast<float>(first);
@@ -19,10 +18,12 @@ inline View view_at(float cosine) {
 }
 
 /// The rotation, row by row, from the frame of a surface to the mesh: z is the normal, and the eye stands over x >= 0.
-inline void frame_of(const float* normal, const float* to_eye, float cosine, float* rotation) {
+/// Returns the sine of the angle between the normal and the eye.
+inline float frame_of(const float* normal, const float* to_eye, float cosine, float* rotation) {
   float x[3];
   for (std::size_t k = 0; k < 3; ++k) x[k] = to_eye[k] - cosine * normal[k];
   float length = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+  const float sine = length;
   if (length <= 1e-6F) {  // the eye is over the surface: any x serves
     const bool is_up = normal[0] * normal[0] + normal[1] * normal[1] <= 1e-10F * normal[2] * normal[2];
     x[0] = is_up ? 0.0F : -normal[1];
@@ -41,6 +42,7 @@ inline void frame_of(const float* normal, const float* to_eye, float cosine, flo
     rotation[3 * k + 1] = (normal[next] * x[last] - normal[last] * x[next]) / length;
     rotation[3 * k + 2] = normal[k];
   }
+  return sine;
 }
 
 /// lobe (kCoefficients): the coefficients of one part of a table, of order 0 and above, of a vertex of a block.
@@ -82,8 +84,7 @@ inline void add_reflected(const Data& data, const float* eye, std::size_t block,
       float to_eye[3];
       direction_to(eye, at, to_eye);
       const float cosine = up[0] * to_eye[0] + up[1] * to_eye[1] + up[2] * to_eye[2];
-      views[i] = view_at(cosine);
-      frame_of(up, to_eye, cosine, rotation);
+      views[i] = view_at(frame_of(up, to_eye, cosine, rotation), cosine);
     }
     for (std::size_t k = 0; k < 9; ++k) frame[k].set(i, rotation[k]);
   }
