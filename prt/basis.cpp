@@ -1,6 +1,7 @@
 #include "prt/basis.hpp"
 
 #include "generated/cpp/basis.hpp"
+#include "generated/cpp/project.hpp"
 #include "generated/cpp/rotate.hpp"
 
 namespace sh::prt {
@@ -11,6 +12,13 @@ void evaluate_basis(int degree, T x, T y, T z, T* out) {
 }
 template void evaluate_basis(int degree, float x, float y, float z, float* out);
 template void evaluate_basis(int degree, double x, double y, double z, double* out);
+
+template <class T>
+void add_basis(int degree, T x, T y, T z, T weight, T* sum) {
+  at_degree(degree, [&](auto known) { sh::project<known()>(x, y, z, weight, sum); });
+}
+template void add_basis(int degree, float x, float y, float z, float weight, float* sum);
+template void add_basis(int degree, double x, double y, double z, double weight, double* sum);
 
 template <class T>
 void rotate_function(int degree, const Eigen::Matrix3<T>& r, const T* in, T* out) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "numeric/oracle/index.hpp"
+#include "prt/arrays.hpp"
 #include "prt/transfer/shape.hpp"
 
 namespace sh::prt {
@@ -37,6 +38,11 @@ using numeric::coefficient_index;
 template <class T>
 void evaluate_basis(int degree, T x, T y, T z, T* out);
 
+/// sum (bands^2) += weight Y_lm(direction), a sample of a projection; |direction| = 1, 0 <= degree <= kMaxDegree.
+/// T: float or double.
+template <class T>
+void add_basis(int degree, T x, T y, T z, T weight, T* sum);
+
 /// out (bands^2) = the coefficients of the function `in`, turned by the rotation matrix r: (R f)(s) = f(R^-1 s). `out` may be
 /// `in`. 0 <= degree <= kMaxDegree. T: float or double.
 template <class T>
@@ -44,9 +50,7 @@ void rotate_function(int degree, const Eigen::Matrix3<T>& r, const T* in, T* out
 
 /// c_lm *= factors_l for as many bands as there are factors.
 inline void scale_bands(const std::vector<double>& factors, double* c) {
-  for (std::size_t l = 0, i = 0; l < factors.size(); ++l) {
-    for (; i < (l + 1) * (l + 1); ++i) c[i] *= factors[l];
-  }
+  for (std::size_t l = 0; l < factors.size(); ++l) band(c, static_cast<int>(l)) *= factors[l];
 }
 
 }  // namespace sh::prt

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <stdexcept>
 
 #include "numeric/output/progress.hpp"
+#include "prt/arrays.hpp"
 #include "prt/bake/compress.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/bake/glossy_bounces.hpp"
@@ -169,11 +169,8 @@ void take_plan(const Plan& plan, Transfer& transfer) {
   transfer.plan = plan.record;
   transfer.shape.storage = plan.storage;
   if (plan.storage.element != Element::kByte) return;
-  for (std::size_t i = 0; i < transfer.coefficients.size(); ++i) {
-    if (std::abs(transfer.coefficients[i]) > plan.largest[i % plan.largest.size()]) {
-      transfer.shape.storage.element = Element::kHalf;  // an outlier would coarsen every other number of its column
-      return;
-    }
+  if ((largest_numbers(transfer.coefficients, plan.largest.size()) > as_array(plan.largest)).any()) {
+    transfer.shape.storage.element = Element::kHalf;  // an outlier would coarsen every other number of its column
   }
 }
 
@@ -181,7 +178,7 @@ void take_plan(const Plan& plan, Transfer& transfer) {
 Transfer lost_by(const Transfer& clustered, const Transfer& transfer) {
   Transfer lost = transfer;
   const auto subtract = [](std::vector<float>& from, const std::vector<float>& what) {
-    std::transform(what.begin(), what.end(), from.begin(), from.begin(), std::minus<>());
+    as_array(from) = as_array(what) - as_array(from);
   };
   if (!clustered.clusters.empty()) {
     subtract(lost.coefficients, clustered.clusters.rows());

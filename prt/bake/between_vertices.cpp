@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "prt/arrays.hpp"
 #include "prt/bake/row_tracer.hpp"
 #include "prt/chunks.hpp"
 #include "prt/mesh/corners.hpp"
@@ -79,17 +80,14 @@ BetweenVertices measure_between_vertices(const Scene& scene, const std::string& 
     const FormFactorRow row = rows.row();
     const Face& face = mesh.faces[faces[i]];
     for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) {
-      for (std::size_t k = 0; k < layout.count; ++k) {
-        const std::size_t column = layout.channel(c) + k;
-        double light = 0.0;
-        for (const FormFactor& factor : row) light += factor.weight * x.row(factor.vertex)[column];
-        if (k < direct.size()) light += static_cast<double>(direct[k]);
-        light *= static_cast<double>(mesh.albedo[v][c]);
-        if (k >= direct.size()) light += static_cast<double>(mesh.emission[v][c]);
-        const double mean = (x.row(face[0])[column] + x.row(face[1])[column] + x.row(face[2])[column]) / 3.0;
-        differences[i] += (light - mean) * (light - mean);
-        lights[i] += light * light;
-      }
+      const auto of = [&](std::size_t q) { return as_array(x.row(q) + layout.channel(c), layout.count); };
+      Eigen::ArrayXd light = Eigen::ArrayXd::Zero(Eigen::Index(layout.count));
+      for (const FormFactor& factor : row) light += static_cast<double>(factor.weight) * of(factor.vertex);
+      light.head(Eigen::Index(direct.size())) += as_array(direct).cast<double>();
+      light *= static_cast<double>(mesh.albedo[v][c]);
+      if (layout.emitted > 0) light.tail<1>() += static_cast<double>(mesh.emission[v][c]);
+      differences[i] += (light - (of(face[0]) + of(face[1]) + of(face[2])) / 3.0).square().sum();
+      lights[i] += light.square().sum();
     }
   });
   const auto root = [](const std::vector<double>& squares) {

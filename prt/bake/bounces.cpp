@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "prt/arrays.hpp"
 #include "prt/bake/bounce_system.hpp"
 
 namespace sh::prt {
@@ -21,10 +22,9 @@ struct Largest {
   double r = 0.0;
 
   void take(const double* xs, const double* rs, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      x = std::max(x, std::abs(xs[i]));
-      r = std::max(r, std::abs(rs[i]));
-    }
+    if (count == 0) return;
+    x = std::max(x, as_array(xs, count).abs().maxCoeff<Eigen::PropagateNumbers>());
+    r = std::max(r, as_array(rs, count).abs().maxCoeff<Eigen::PropagateNumbers>());
   }
 };
 
@@ -109,8 +109,7 @@ void BounceSystem::apply(const Panel& x, Panel& y) {
     for (std::size_t v = first; v < last; ++v) {
       for (std::size_t c = 0; c < kChannels; ++c) {
         const auto albedo = static_cast<double>(albedo_[v][c]);
-        double* values = y.row(v) + layout_.channel(c);
-        std::for_each(values, values + layout_.count + 1, [albedo](double& value) { value *= albedo; });
+        as_array(y.row(v) + layout_.channel(c), layout_.count + 1) *= albedo;
       }
     }
   });

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "prt/arrays.hpp"
 #include "prt/chunks.hpp"
 
 namespace sh::prt {
@@ -50,8 +51,8 @@ struct Fill::System {
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(Eigen::Index(closed.size()), Eigen::Index(columns));
     for (std::size_t i = 0; i < closed.size(); ++i) {
       const auto add = [&](std::uint32_t vertex, double weight) {
-        const Number* own = values + vertex * stride + first;
-        for (std::size_t k = 0; k < columns; ++k) sums(Eigen::Index(i), Eigen::Index(k)) += weight * double{own[k]};
+        const auto own = as_array(values + vertex * stride + first, columns);
+        sums.row(Eigen::Index(i)) += weight * own.template cast<double>().matrix().transpose();
       };
       add(closed[i].vertex, scale(closed[i]) - static_cast<double>(closed[i].neighbors.size()));
       for (const std::uint32_t u : closed[i].neighbors) {
@@ -60,8 +61,8 @@ struct Fill::System {
     }
     sums = solver.solve(sums).eval();
     for (std::size_t i = 0; i < closed.size(); ++i) {
-      Number* to = values + closed[i].vertex * stride + first;
-      for (std::size_t k = 0; k < columns; ++k) to[k] = static_cast<Number>(sums(Eigen::Index(i), Eigen::Index(k)));
+      as_array(values + closed[i].vertex * stride + first, columns) =
+          sums.row(Eigen::Index(i)).transpose().array().template cast<Number>();
     }
   }
 

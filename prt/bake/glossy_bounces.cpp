@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "numeric/output/progress.hpp"
+#include "prt/arrays.hpp"
 #include "prt/bake/fill_closed.hpp"
 #include "prt/bake/glossy_exit.hpp"
 #include "prt/chunks.hpp"
@@ -101,9 +102,8 @@ class Bounces {
     std::vector<float> largest(chunk_count(vertices_), 0.0F);
     for_chunks(vertices_, [&](std::size_t chunk) {
       const VertexRange range = chunk_range(chunk, vertices_);
-      for (std::size_t i = range.first * table.size; i < range.last * table.size; ++i) {
-        largest[chunk] = std::max(largest[chunk], std::abs(table.values[i]));
-      }
+      largest[chunk] =
+          as_array(table.of(range.first), range.size() * table.size).abs().maxCoeff<Eigen::PropagateNumbers>();
     });
     return static_cast<double>(*std::max_element(largest.begin(), largest.end()));
   }

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "prt/arrays.hpp"
 #include "prt/bake/gray.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
@@ -32,11 +33,7 @@ Weights weights_about(int degree, const Eigen::Vector3f& direction, const Factor
   return values;
 }
 
-// sum (count) += part times the values.
-void add_to(float* sum, const float* values, std::size_t count, float part) {
-  const auto length = static_cast<Eigen::Index>(count);
-  Eigen::Map<Eigen::ArrayXf>(sum, length) += part * Eigen::Map<const Eigen::ArrayXf>(values, length);
-}
+using Matrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 }  // namespace
 
@@ -63,11 +60,9 @@ void MatrixTable::take_direct(const float* visibility) {
     for (std::size_t k = 0; k < some; ++k) lights[k * count + first + k] = 1.0F;
     times_visibility(degree, vertices, visibility, prepared_light(degree, lights.data()), products.data());
     for_vertices(vertices, [&](std::size_t v) {
-      for (std::size_t i = 0; i < some * count; ++i) {
-        for (std::size_t c = 0; c < channels; ++c) {
-          of(v)[i % count * row + c * count + first + i / count] = products[v * 3 * count + i];
-        }
-      }
+      const Eigen::Map<Eigen::MatrixXf> columns(&products[v * 3 * count], Eigen::Index(count), Eigen::Index(some));
+      Eigen::Map<Matrix> matrix(of(v), Eigen::Index(count), Eigen::Index(row));
+      for (std::size_t c = 0; c < channels; ++c) matrix.middleCols(c * count + first, some) = columns;
     });
   }
 }
@@ -77,14 +72,15 @@ void MatrixTable::add(const std::vector<float>& matrices, const TransferShape& s
     for (std::size_t c = 0; c < channels; ++c) {
       for (std::size_t i = 0; i < count; ++i) {
         const float* from = matrices.data() + v * shape.length() + c * shape.count() + i * shape.columns();
-        add_to(of(v) + i * row + c * count, from, count, part);
+        as_array(of(v) + i * row + c * count, count) += part * as_array(from, count);
       }
     }
   });
 }
 
 void MatrixTable::add(const MatrixTable& other, float part) {
-  for_vertices(values.size() / size, [&](std::size_t v) { add_to(of(v), other.of(v), size, part); });
+  for_vertices(values.size() / size,
+               [&](std::size_t v) { as_array(of(v), size) += part * as_array(other.of(v), size); });
 }
 
 void MatrixTable::copy(const float* matrix, const TransferShape& shape, float* out) const {
@@ -136,7 +132,7 @@ void GlossyExit::add_weighed(const float* weights, std::size_t vertex, const Eig
   alignas(64) std::array<float, kMostRow> sums;
   sum_rows(reaching_.of(vertex), reaching_.row, in_order_.data(), count, weights, sums.data());
   for (std::size_t c = 0; c < reaching_.channels; ++c) {
-    add_to(row + c * count, sums.data() + c * count, count, color[static_cast<Eigen::Index>(c)]);
+    as_array(row + c * count, count) += color[Eigen::Index(c)] * as_array(sums.data() + c * count, count);
   }
 }
 
@@ -152,7 +148,7 @@ void GlossyExit::add_exit(const BlockedAt& ray, float* row) const {
           [&](const Eigen::Vector3f& color, const float* weights) { add_weighed(weights, q, parts[k] * color, row); });
       continue;
     }
-    add_to(row, &diffuse_[q * reaching_.row], reaching_.row, parts[k]);
+    as_array(row, reaching_.row) += parts[k] * as_array(&diffuse_[q * reaching_.row], reaching_.row);
     if (mesh_.specular.empty() || mesh_.specular[q].isZero(0.0F)) continue;
     const Eigen::Vector3f about = mirrored(ray.direction, mesh_.normals[q]);
     const float* factors = &lobes_[q * (reaching_.degree + 1)];
@@ -166,7 +162,7 @@ void GlossyExit::collect(const std::vector<BlockedAt>& rays, std::size_t directi
   const std::size_t count = reaching_.count;
   const std::size_t row = reaching_.row;
   std::fill_n(out, reaching_.size, 0.0F);
-  std::vector<float> arriving(count * kRaysAtOnce);
+  Eigen::Matrix<float, Eigen::Dynamic, kRaysAtOnce, Eigen::RowMajor> arriving(count, kRaysAtOnce);
   std::vector<float> leaving(kRaysAtOnce * row);
   std::vector<float> part(row);
   for (std::size_t first = 0; first < rays.size(); first += kRaysAtOnce) {
@@ -175,12 +171,12 @@ void GlossyExit::collect(const std::vector<BlockedAt>& rays, std::size_t directi
     for (std::size_t j = 0; j < some; ++j) {
       const BlockedAt& ray = rays[first + j];
       const Weights basis = weights_about(reaching_.degree, ray.direction, [&](int) { return weight; });
-      for (std::size_t i = 0; i < count; ++i) arriving[i * kRaysAtOnce + j] = basis[i];
+      arriving.col(Eigen::Index(j)) = as_array(basis.data(), count);
       add_exit(ray, leaving.data() + j * row);
     }
     for (std::size_t i = 0; i < count; ++i) {
-      sum_rows(leaving.data(), row, in_order_.data(), some, &arriving[i * kRaysAtOnce], part.data());
-      add_to(out + i * row, part.data(), row, 1.0F);
+      sum_rows(leaving.data(), row, in_order_.data(), some, &arriving(Eigen::Index(i), 0), part.data());
+      as_array(out + i * row, row) += as_array(part);
     }
   }
 }

@@ -41,12 +41,9 @@ void RowTracer::meet(std::size_t vertex) {
 }
 
 float RowTracer::add_sky(int degree, float* transfer) const {
-  std::array<float, kMaxRow> values{};
   double whole = 0.0;
   for (const BlockedRay& ray : sky_) {
-    evaluate_basis(degree, ray.direction.x(), ray.direction.y(), ray.direction.z(), values.data());
-    const auto part = static_cast<float>(ray.part);
-    for (std::size_t i = 0; i < coefficient_count(degree); ++i) transfer[i] += part * values[i];
+    add_basis(degree, ray.direction.x(), ray.direction.y(), ray.direction.z(), static_cast<float>(ray.part), transfer);
     whole += ray.part;
   }
   return static_cast<float>(whole);

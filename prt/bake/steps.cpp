@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "prt/arrays.hpp"
 #include "prt/bake/between_vertices.hpp"
 #include "prt/bake/fill_closed.hpp"
 #include "prt/bake/shadow_pass.hpp"
@@ -103,13 +104,13 @@ void check_bounces(const BakeRun& run) {
 
 Panel direct_light(const Mesh& mesh, const Transfer& transfer, const BounceLayout& layout) {
   Panel x(mesh.positions.size(), layout.columns());
+  const std::size_t count = transfer.shape.count();
   for (std::size_t v = 0; v < x.rows; ++v) {
-    const float* direct = transfer.row(v);
     for (std::size_t c = 0; c < kChannels; ++c) {
       const auto albedo = static_cast<double>(mesh.albedo[v][c]);
-      double* own = std::transform(direct, direct + transfer.shape.count(), x.row(v) + layout.channel(c),
-                                   [albedo](float value) { return albedo * static_cast<double>(value); });
-      if (layout.emitted > 0) *own = static_cast<double>(mesh.emission[v][c]);
+      double* own = x.row(v) + layout.channel(c);
+      as_array(own, count) = albedo * as_array(transfer.row(v), count).cast<double>();
+      if (layout.emitted > 0) own[count] = static_cast<double>(mesh.emission[v][c]);
     }
   }
   return x;
@@ -125,8 +126,7 @@ void take_solution(const Panel& x, const BounceLayout& layout, Transfer& transfe
   for (std::size_t v = 0; v < x.rows; ++v) {
     for (std::size_t c = 0; c < kChannels; ++c) {
       const double* values = x.row(v) + layout.channel(c);
-      std::transform(values, values + count, transfer.row(v) + c * count,
-                     [](double value) { return static_cast<float>(value); });
+      as_array(transfer.row(v) + c * count, count) = as_array(values, count).cast<float>();
       if (layout.emitted > 0) transfer.emitted[v][c] = static_cast<float>(values[count]);
     }
   }

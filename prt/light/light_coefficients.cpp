@@ -4,10 +4,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <stdexcept>
 
 #include "generated/cpp/evaluate_rgb.hpp"
+#include "generated/cpp/relight_colored.hpp"
+#include "generated/cpp/relight_rgb.hpp"
 #include "prt/basis.hpp"
 
 namespace sh::prt {
@@ -27,12 +30,32 @@ LightCoefficients LightCoefficients::zero(int degree) {
 
 LightCoefficients first_bands(const LightCoefficients& light, int degree) {
   LightCoefficients first = LightCoefficients::zero(degree);
-  for (int c = 0; c < 3; ++c) std::copy_n(&light.at(c, 0), first.bands_squared(), &first.at(c, 0));
+  first.matrix() = light.matrix().topRows(first.matrix().rows());
   return first;
 }
 
+std::vector<float> in_single(const LightCoefficients& light, int degree) {
+  const std::size_t count = coefficient_count(degree);
+  std::vector<float> values(3 * count, 0.0F);
+  Eigen::Map<Eigen::MatrixX3f> all(values.data(), Eigen::Index(count), 3);
+  all.topRows(light.matrix().rows()) = light.matrix().cast<float>();
+  return values;
+}
+
+Eigen::Vector3d integral_with(const float* transfer, std::size_t channels, const LightCoefficients& light) {
+  std::array<double, 3 * std::size_t{coefficient_count(kMaxDegree)}> row;
+  std::copy_n(transfer, channels * light.bands_squared(), row.data());
+  Eigen::Vector3d rgb;
+  at_degree(light.degree, [&](auto degree) {
+    const double* lit_by = light.values.data();
+    channels == 1 ? sh::relight_rgb<degree()>(row.data(), lit_by, rgb.data())
+                  : sh::relight_colored<degree()>(row.data(), lit_by, rgb.data());
+  });
+  return rgb;
+}
+
 void accumulate(LightCoefficients& sum, const LightCoefficients& more) {
-  for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += more.values[i];
+  as_array(sum.values) += as_array(more.values);
 }
 
 LightCoefficients turned(const LightCoefficients& light, const Eigen::Matrix3d& r) {

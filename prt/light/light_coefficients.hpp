@@ -23,10 +23,22 @@ struct LightCoefficients {
   [[nodiscard]] const double& at(std::size_t channel, std::size_t i) const {
     return values[channel * bands_squared() + i];
   }
+  /// The same numbers, (bands^2, 3).
+  [[nodiscard]] Eigen::Map<Eigen::MatrixX3d> matrix() { return {values.data(), Eigen::Index(bands_squared()), 3}; }
+  [[nodiscard]] Eigen::Map<const Eigen::MatrixX3d> matrix() const {
+    return {values.data(), Eigen::Index(bands_squared()), 3};
+  }
 };
 
 /// The bands 0 .. degree of a light. Precondition: degree <= light.degree.
 LightCoefficients first_bands(const LightCoefficients& light, int degree);
+
+/// The light in single precision and in a degree that is at least its own, (3, bands^2); zero in the bands above.
+std::vector<float> in_single(const LightCoefficients& light, int degree);
+
+/// The integral of transfer times light for each channel of the light. transfer (channels, bands^2): 1 or 3 channels in
+/// the degree of the light; one channel of a higher degree will do, too.
+Eigen::Vector3d integral_with(const float* transfer, std::size_t channels, const LightCoefficients& light);
 
 /// sum += more. Both must have the same degree.
 void accumulate(LightCoefficients& sum, const LightCoefficients& more);

@@ -7,11 +7,13 @@
 // [VanOosteromStrackee83] eq. 8.
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
-#include "numeric/oracle/basis.hpp"
+#include "generated/cpp/basis_gradient.hpp"
 #include "numeric/oracle/quadrature.hpp"
+#include "prt/basis.hpp"
 #include "prt/light/light_coefficients.hpp"
 #include "prt/light/light_shapes.hpp"
 
@@ -81,18 +83,18 @@ void add_edge(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int degree, st
   const Eigen::Vector3d start = a.normalized();
   const Eigen::Vector3d ahead = normal.cross(start);
   const double length = std::atan2(across.norm(), a.dot(b));
-  std::vector<double> y(sum.size());
-  std::vector<double> dx(sum.size());
-  std::vector<double> dy(sum.size());
-  std::vector<double> dz(sum.size());
+  BasisValues y;
+  std::array<BasisValues, 3> gradient;
+  const auto along = [&](int axis) { return normal[axis] * as_array(gradient[axis].data(), sum.size()); };
   for (std::size_t k = 0; k < kRule.nodes.size(); ++k) {
     const double s = 0.5 * length * (1.0 + kRule.nodes[k]);
     const double weight = 0.5 * length * kRule.weights[k];
     const Eigen::Vector3d d = std::cos(s) * start + std::sin(s) * ahead;
-    numeric::basis_tangent_gradient(degree, d.x(), d.y(), d.z(), y.data(), dx.data(), dy.data(), dz.data());
-    for (std::size_t i = 1; i < sum.size(); ++i) {
-      sum[i] += weight * (dx[i] * normal.x() + dy[i] * normal.y() + dz[i] * normal.z());
-    }
+    at_degree(degree, [&](auto known) {  // of r^l Y_lm, whose derivative along r does not count
+      sh::basis_gradient<known()>(d.x(), d.y(), d.z(), y.data(), gradient[0].data(), gradient[1].data(),
+                                  gradient[2].data());
+    });
+    as_array(sum) += weight * (along(0) + along(1) + along(2));
   }
 }
 
@@ -139,9 +141,7 @@ std::vector<double> project_polygon(const Corners& corners, int degree) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     add_edge(after(corners, i), corners[i], degree, sum);  // backwards: counterclockwise as seen from outside
   }
-  for (int l = 1, i = 1; l <= degree; ++l) {
-    for (; i < (l + 1) * (l + 1); ++i) sum[i] /= l * (l + 1);
-  }
+  for (int l = 1; l <= degree; ++l) band(sum.data(), l) /= l * (l + 1);
   sum[0] = polygon_solid_angle(corners) / std::sqrt(4.0 * std::numbers::pi);
   return sum;
 }

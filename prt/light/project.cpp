@@ -1,10 +1,8 @@
 // Projects lights without pictures on the SH basis.
-#include <array>
 #include <cmath>
 #include <numbers>
 
-#include "generated/cpp/cap.hpp"
-#include "generated/cpp/zonal.hpp"
+#include "generated/cpp/add_cap.hpp"
 #include "numeric/oracle/zonal.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/light.hpp"
@@ -25,7 +23,7 @@ std::vector<double> project_overcast(int degree) {
   numeric::zonal_quadrature<double>(
       degree, [](const double& one_minus_z) { return 1.0 - 2.0 / 3.0 * one_minus_z; }, 0.0, 1.0, kRule, zonal.data());
   std::vector<double> out(coefficient_count(degree), 0.0);
-  for (int l = 0; l <= degree; ++l) out[coefficient_index(l, 0)] = zonal[l];
+  for (int l = 0; l <= degree; ++l) band(out.data(), l)[l] = zonal[l];
   return out;
 }
 
@@ -51,15 +49,13 @@ LightCoefficients project(const Light& light, int degree) {
   require_degree(degree);
   if (light.spec.type == LightType::kEnvironment) {
     LightCoefficients out = project_image(*light.image, light.spec.mapping, degree);
-    for (double& value : out.values) value *= static_cast<double>(light.spec.scale);
+    as_array(out.values) *= static_cast<double>(light.spec.scale);
     return turned(out, light.rotation);
   }
   const std::vector<double> shape = project_shape(light.spec, degree);
-  const Eigen::Vector3d radiance = light.spec.radiance.cast<double>();
   LightCoefficients out = LightCoefficients::zero(degree);
-  for (int channel = 0; channel < 3; ++channel) {
-    for (std::size_t i = 0; i < shape.size(); ++i) out.at(channel, i) = radiance[channel] * shape[i];
-  }
+  out.matrix().topRows(Eigen::Index(shape.size())) =
+      as_array(shape).matrix() * light.spec.radiance.cast<double>().transpose();
   return light.rotation.isIdentity(0.0) ? out : turned(out, light.rotation);
 }
 
@@ -87,9 +83,7 @@ std::vector<double> project_directional(const Eigen::Vector3d& direction, int de
 std::vector<double> project_cap(const Eigen::Vector3d& direction, double one_minus_cos, int degree) {
   std::vector<double> out(coefficient_count(degree));
   at_degree(degree, [&](auto known) {
-    std::array<double, known() + 1> zonal;
-    sh::cap<known()>(one_minus_cos, zonal.data());
-    sh::zonal<known()>(zonal.data(), direction.x(), direction.y(), direction.z(), out.data());
+    sh::add_cap<known()>(direction.x(), direction.y(), direction.z(), one_minus_cos, 1.0, out.data());
   });
   return out;
 }

@@ -4,7 +4,6 @@
 // mappings have nodes in every pixel. The quicker rule (basis at the pixel's center times exact solid angle) leaks a
 // constant picture into the even bands (prt/IMAGES.md has the numbers).
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -24,12 +23,10 @@ constexpr double kPi = std::numbers::pi;
 BasisValues polar_integrals(int degree, double from, double to) {
   static const auto kRule = numeric::gauss_legendre<double>(24);
   BasisValues sum{};
-  BasisValues y;
   for (std::size_t k = 0; k < kRule.nodes.size(); ++k) {
     const double theta = 0.5 * (from + to) + 0.5 * (to - from) * kRule.nodes[k];
     const double weight = 0.5 * (to - from) * kRule.weights[k] * std::sin(theta);
-    evaluate_basis(degree, std::sin(theta), 0.0, std::cos(theta), y.data());
-    for (std::size_t i = 0; i < coefficient_count(degree); ++i) sum[i] += weight * y[i];
+    add_basis(degree, std::sin(theta), 0.0, std::cos(theta), weight, sum.data());
   }
   return sum;
 }
@@ -52,19 +49,14 @@ Eigen::MatrixXd azimuth_integrals(int degree, int width) {
 LightCoefficients project_row(const Image& image, ImageMapping mapping, int row, int degree) {
   LightCoefficients sum = LightCoefficients::zero(degree);
   std::vector<PixelNode> nodes;
-  std::vector<double> basis(sum.bands_squared());
-  std::vector<double> pixel(sum.bands_squared());
+  Eigen::VectorXd pixel(sum.bands_squared());
   for (int column = 0; column < image.width; ++column) {
     pixel_nodes(mapping, image.width, column, row, nodes);
-    std::fill(pixel.begin(), pixel.end(), 0.0);
+    pixel.setZero();
     for (const PixelNode& node : nodes) {
-      evaluate_basis(degree, node.direction.x(), node.direction.y(), node.direction.z(), basis.data());
-      for (std::size_t i = 0; i < pixel.size(); ++i) pixel[i] += node.weight * basis[i];
+      add_basis(degree, node.direction.x(), node.direction.y(), node.direction.z(), node.weight, pixel.data());
     }
-    const Eigen::Vector3d value = image.at(column, row).cast<double>();
-    for (int channel = 0; channel < 3; ++channel) {
-      for (std::size_t i = 0; i < pixel.size(); ++i) sum.at(channel, i) += value[channel] * pixel[i];
-    }
+    sum.matrix() += pixel * image.at(column, row).cast<double>().transpose();
   }
   return sum;
 }
@@ -82,10 +74,8 @@ LightCoefficients project_lat_long(const Image& image, int degree) {
     const BasisValues polar = polar_integrals(degree, row * step, (row + 1) * step);
     for (int l = 0; l <= degree; ++l) {
       for (int m = -l; m <= l; ++m) {
-        const double factor = polar[coefficient_index(l, std::abs(m))];
-        for (int channel = 0; channel < 3; ++channel) {
-          light.at(channel, coefficient_index(l, m)) += factor * sums[row](degree + m, channel);
-        }
+        light.matrix().row(coefficient_index(l, m)) +=
+            polar[coefficient_index(l, std::abs(m))] * sums[row].row(degree + m);
       }
     }
   }

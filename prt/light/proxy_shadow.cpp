@@ -28,30 +28,32 @@ const numeric::GaussLegendreRule<double>& rule_for(int degree) {
   return kRules[degree];
 }
 
-/// out -= the weighted contribution of the ring at height z to one channel; `basis` is Y at azimuth 0.
-void subtract_ring(int degree, const BasisValues& basis, double weight, const double* light, double* out) {
-  for (int m = -degree; m <= degree; ++m) {
-    const int order = std::abs(m);
-    double value = 0.0;  // of the light's part of order m on the ring, over cos or sin of m phi
-    for (int l = order; l <= degree; ++l) value += basis[coefficient_index(l, order)] * light[coefficient_index(l, m)];
-    value *= weight * (m == 0 ? 2.0 * kPi : kPi);
-    for (int l = order; l <= degree; ++l) out[coefficient_index(l, m)] -= value * basis[coefficient_index(l, order)];
-  }
-}
+/// Without memory of its own.
+template <int MostRows>
+using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, MostRows, kMaxDegree + 1>;
 
-/// The light without the part from the cap about +z.
+/// The light without the part from the cap about +z: of each order, the part in the products of two basis functions.
 LightCoefficients without_polar_cap(const LightCoefficients& light, double one_minus_cos) {
   LightCoefficients out = light;
   const auto& rule = rule_for(light.degree);
-  BasisValues basis;
-  for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-    const double one_minus_z = 0.5 * one_minus_cos * (1.0 + rule.nodes[k]);
+  const auto rings = static_cast<Eigen::Index>(rule.nodes.size());
+  SmallMatrix<coefficient_count(kMaxDegree)> basis(light.bands_squared(), rings);  // at azimuth 0
+  for (Eigen::Index k = 0; k < rings; ++k) {
+    const double one_minus_z = 0.5 * one_minus_cos * (1.0 + rule.nodes[static_cast<std::size_t>(k)]);
     const double sine = std::sqrt(std::max(0.0, one_minus_z * (2.0 - one_minus_z)));
-    evaluate_basis(light.degree, sine, 0.0, 1.0 - one_minus_z, basis.data());
-    const double weight = 0.5 * one_minus_cos * rule.weights[k];
-    for (int channel = 0; channel < 3; ++channel) {
-      subtract_ring(light.degree, basis, weight, &light.at(channel, 0), &out.at(channel, 0));
-    }
+    evaluate_basis(light.degree, sine, 0.0, 1.0 - one_minus_z, basis.col(k).data());
+  }
+  const Eigen::VectorXd weights = 0.5 * kPi * one_minus_cos * as_array(rule.weights);
+  for (int m = 0; m <= light.degree; ++m) {
+    const Eigen::ArrayXi l = Eigen::ArrayXi::LinSpaced(light.degree + 1 - m, m, light.degree);
+    const SmallMatrix<kMaxDegree + 1> waves = basis(l * (l + 1) + m, Eigen::all);
+    const SmallMatrix<kMaxDegree + 1> cap = (waves * weights.asDiagonal()).lazyProduct(waves.transpose());
+    const auto subtract = [&](int order, double factor) {
+      out.matrix()(l * (l + 1) + order, Eigen::all) -=
+          factor * cap.lazyProduct(light.matrix()(l * (l + 1) + order, Eigen::all));
+    };
+    subtract(m, m == 0 ? 2.0 : 1.0);
+    if (m > 0) subtract(-m, 1.0);
   }
   return out;
 }

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "generated/cpp/rotate_z.hpp"
 #include "numeric/oracle/quadrature.hpp"
 #include "prt/angles.hpp"
 #include "prt/basis.hpp"
@@ -85,27 +86,22 @@ void add_arc(const SkyParameters& sky, const Rule& rule, double elevation, doubl
   const Eigen::Vector3d side(-std::sin(elevation) * std::cos(bearing), std::sin(bearing),
                              std::cos(elevation) * std::cos(bearing));
   const double length = std::atan2(sun.z(), -side.z());
-  std::vector<double> basis(sum.size());
   for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
     const double chi = 0.5 * length * (1.0 + rule.nodes[k]);
     const Eigen::Vector3d d = std::cos(chi) * sun + std::sin(chi) * side;
     if (d.z() > 0.0) {  // rounding may put the last node of a flat arc below
       const double value = 0.5 * length * rule.weights[k] * weight * std::sin(chi) * indicatrix(sky, chi);
-      evaluate_basis(degree, d.x(), d.y(), d.z(), basis.data());
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += value * gradation(sky, d.z()) * basis[i];
+      add_basis(degree, d.x(), d.y(), d.z(), value * gradation(sky, d.z()), sum.data());
     }
   }
 }
 
-/// Turns a function about +z. The function is even in azimuth and has only coefficients of orders m >= 0.
+/// Turns a function about +z, after the orders m < 0, of which a function even in azimuth has none, are taken away.
 void turn_even(double azimuth, int degree, std::vector<double>& coefficients) {
-  for (int l = 0; l <= degree; ++l) {
-    for (int m = 1; m <= l; ++m) {
-      const double even = coefficients[coefficient_index(l, m)];
-      coefficients[coefficient_index(l, m)] = even * std::cos(m * azimuth);
-      coefficients[coefficient_index(l, -m)] = even * std::sin(m * azimuth);
-    }
-  }
+  for (int l = 0; l <= degree; ++l) band(coefficients.data(), l).head(l).setZero();
+  at_degree(degree, [&](auto known) {
+    sh::rotate_z<known()>(std::cos(azimuth), std::sin(azimuth), coefficients.data(), coefficients.data());
+  });
 }
 
 double at_zenith(const SkyParameters& sky, const Eigen::Vector3d& sun) {

@@ -116,11 +116,8 @@ BandLimited::BandLimited(const double* coefficients, int degree)
   for (const auto& node : numeric::fibonacci_nodes(64 * (degree + 1) * (degree + 1))) {
     points_.emplace_back(node.x, node.y, node.z);
     evaluate_basis(degree, node.x, node.y, node.z, y.data());
-    std::size_t i = 0;
     for (int l = 0; l <= degree; ++l) {
-      double sum = 0.0;
-      for (; i < coefficient_count(l); ++i) sum += coefficients_[i] * y[i];
-      band_values_.push_back(sum);
+      band_values_.push_back((band(coefficients_.data(), l) * band(y.data(), l)).sum());
     }
   }
 }
@@ -138,7 +135,7 @@ std::vector<double> BandLimited::values(const std::vector<double>& factors) cons
 SphereValue BandLimited::extreme(const std::vector<double>& factors, double sign) const {
   std::vector<double> c = coefficients_;
   scale_bands(factors, c.data());
-  for (double& value : c) value *= sign;
+  as_array(c) *= sign;
   const Descent descent(std::move(c), degree_);
   SphereValue best{std::numeric_limits<double>::infinity()};
   for (const Eigen::Vector3d& start : starts(points_, values(factors), sign, degree_)) {

@@ -36,10 +36,7 @@ class Views {
       BasisValues all;
       zonal_about(
           degree_, axis(view), [exponent](int l) { return phong_factor(l, exponent); }, all.data());
-      Eigen::Index i = 0;
-      for (int l = 0; l <= degree_; ++l) {
-        for (int m = 0; m <= l; ++m) row[i++] = all[coefficient_index(l, m)];
-      }
+      for (int l = 0; l <= degree_; ++l) even_band(row.data(), l) = band(all.data(), l).tail(l + 1);
     });
   }
 

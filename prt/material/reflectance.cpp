@@ -7,6 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "prt/arrays.hpp"
+
 namespace sh::prt {
 
 namespace {
@@ -56,31 +58,23 @@ void reflectance_at(const float* table, int degree, float angle, float* out) {
   const std::array<float, 4> weights = cubic_weights(place - static_cast<float>(first));
   const std::size_t count = even_count(degree);
   for (std::size_t part = 0; part < kReflectionParts; ++part) {
-    for (std::size_t i = 0; i < count; ++i, ++out) {
-      *out = 0.0F;
-      for (int k = 0; k < 4; ++k) *out += weights[static_cast<std::size_t>(k)] * row_of(table, first + k, part)[i];
-    }
+    const auto weighed = [&](int k) {
+      return weights[static_cast<std::size_t>(k)] * as_array(row_of(table, first + k, part), count);
+    };
+    as_array(out + part * count, count) = weighed(0) + weighed(1) + weighed(2) + weighed(3);
   }
 }
 
 double share_of_bands(const BrdfTable& table, int degree) {
   const std::array<Eigen::Vector3f, kReflectionParts> colors =
       colors_of_parts(table.is_measured, Eigen::Vector3f::Constant(0.5F));
-  double held = 0.0;
-  double all = 0.0;
-  for (Eigen::Index channel = 0; channel < 3; ++channel) {
-    for (std::size_t l = 0, i = 0; l <= kMaxDegree; ++l) {
-      for (std::size_t m = 0; m <= l; ++m, ++i) {
-        double sum = 0.0;
-        for (std::size_t part = 0; part < kReflectionParts; ++part) {
-          sum += static_cast<double>(colors[part][channel] * row_of(table.rows, (kViews - 1) / 2, part)[i]);
-        }
-        all += sum * sum;
-        if (l <= static_cast<std::size_t>(degree)) held += sum * sum;
-      }
-    }
+  Eigen::MatrixX3d seen = Eigen::MatrixX3d::Zero(kRow, 3);  // red, green and blue
+  for (std::size_t part = 0; part < kReflectionParts; ++part) {
+    const auto row = as_array(row_of(table.rows, (kViews - 1) / 2, part), kRow).matrix();
+    seen += (row * colors[part].transpose()).cast<double>();
   }
-  return all > 0.0 ? held / all : 1.0;
+  const double all = seen.squaredNorm();
+  return all > 0.0 ? seen.topRows(Eigen::Index(even_count(degree))).squaredNorm() / all : 1.0;
 }
 
 Eigen::Vector3d hemispherical_reflectance(const float* table, int view) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "prt/arrays.hpp"
 #include "prt/transfer/shape.hpp"
 
 namespace sh::prt {
@@ -23,6 +24,12 @@ inline constexpr std::size_t kReflectionParts = 3;
 /// Y_lm with 0 <= m <= l <= degree, at l(l+1)/2 + m.
 constexpr std::size_t even_count(int degree) {
   return (static_cast<std::size_t>(degree) + 1) * (static_cast<std::size_t>(degree) + 2) / 2;
+}
+
+/// The coefficients of degree l with m >= 0 in such a row: l+1 numbers.
+template <class T>
+auto even_band(T* row, int l) {
+  return as_array(row + (l > 0 ? even_count(l - 1) : 0), static_cast<std::size_t>(l) + 1);
 }
 
 /// The most tables of a mesh, of 51,480 bytes each.
@@ -67,8 +74,8 @@ struct Reflectances {
   [[nodiscard]] Reflectance at(std::size_t number) const;
 };
 
-/// out (kReflectionParts, even_count(degree)) = the coefficients at an angle between the normal and the view, in radians, by
-/// cubic interpolation; from pi/2 on those of grazing view. Precondition: angle >= 0.
+/// out (kReflectionParts, even_count(degree)) = the coefficients at an angle between the normal and the view, in
+/// radians, by cubic interpolation; from pi/2 on those of grazing view. Precondition: angle >= 0.
 void reflectance_at(const float* table, int degree, float angle, float* out);
 
 /// The part of the function that the bands 0 .. degree hold, 0..1, in squares, when the eye is at 45 degrees; of all that

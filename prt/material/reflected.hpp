@@ -39,9 +39,7 @@ void for_reflected_lobes(const BrdfTable& table, const Eigen::Vector3f& albedo, 
     if (colors[part].isZero(0.0F)) continue;
     weights.fill(0.0F);
     const float* from = even.data() + part * even_count(degree);
-    for (int l = 0; l <= degree; ++l) {
-      for (int m = 0; m <= l; ++m) weights[coefficient_index(l, m)] = *from++;
-    }
+    for (int l = 0; l <= degree; ++l) band(weights.data(), l).tail(l + 1) = even_band(from, l);
     rotate_function(degree, frame, weights.data(), weights.data());
     visit(colors[part], weights.data());
   }

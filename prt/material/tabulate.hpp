@@ -1,7 +1,6 @@
 // What fills tables of reflectance: sums over directions of light, in the frame of the surface.
 #pragma once
 #include <Eigen/Core>
-#include <array>
 
 #include "prt/material/reflectance.hpp"
 
@@ -26,8 +25,8 @@ class ReflectanceRow {
   void write(int view, ReflectanceTable& table) const;
 
  private:
-  std::array<Eigen::Vector3d, even_count(kMaxDegree)> sums_ = zeros();
-  static std::array<Eigen::Vector3d, even_count(kMaxDegree)> zeros();
+  using Sums = Eigen::Matrix<double, kReflectionParts, even_count(kMaxDegree)>;
+  Sums sums_ = Sums::Zero();
 };
 
 }  // namespace sh::prt

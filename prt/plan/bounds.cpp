@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "numeric/oracle/zonal.hpp"
+#include "prt/arrays.hpp"
 #include "prt/material/lobe.hpp"
 #include "prt/transfer/unshadowed.hpp"
 
@@ -83,10 +84,7 @@ std::vector<std::uint32_t> TurningLight::needed() const {
 }
 
 double TurningLight::band_norm(std::size_t channel, int l) const {
-  double squares = 0.0;
-  const double* values = channel_of(light_, channel);
-  for (int i = l * l; i < (l + 1) * (l + 1); ++i) squares += values[i] * values[i];
-  return std::sqrt(squares);
+  return band(channel_of(light_, channel), l).matrix().norm();
 }
 
 double unshadowed_band_norm(int l) {
@@ -110,11 +108,8 @@ double largest_unshadowed_radiance(const Mesh& mesh, const LightCoefficients& li
   const std::size_t count = light.bands_squared();
   double largest = 0.0;
   for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
-    for (std::size_t c = 0; c < kChannels; ++c) {
-      double sum = 0.0;
-      for (std::size_t i = 0; i < count; ++i) sum += static_cast<double>(rows[v * count + i]) * light.at(c, i);
-      largest = std::max(largest, sum * static_cast<double>(mesh.albedo[v][c]));
-    }
+    const Eigen::Vector3d sums = integral_with(&rows[v * count], 1, light);
+    largest = std::max(largest, sums.cwiseProduct(mesh.albedo[v].cast<double>()).maxCoeff());
   }
   return largest;
 }

@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <numeric>
 
+#include "prt/arrays.hpp"
 #include "prt/bake/gray.hpp"
 #include "prt/chunks.hpp"
 #include "prt/plan/views.hpp"
@@ -53,13 +53,11 @@ std::vector<LightCoefficients> turns_of(const LightCoefficients& light, LightTur
   return lights;
 }
 
-// The radiance of a channel: the albedo, unless the numbers hold it, times numbers times light.
-double radiance_of(const float* row, const TransferShape& shape, const LightCoefficients& light, std::size_t channel,
-                   const Eigen::Vector3f& albedo) {
-  const float* numbers = row + (shape.channels == 1 ? 0 : channel * shape.count());
-  double sum = 0.0;
-  for (std::size_t i = 0; i < shape.count(); ++i) sum += static_cast<double>(numbers[i]) * light.at(channel, i);
-  return shape.holds_albedo ? sum : sum * static_cast<double>(albedo[static_cast<Eigen::Index>(channel)]);
+// The albedo, unless the numbers hold it, times numbers times light of their degree.
+Eigen::Vector3d radiance_of(const float* row, const TransferShape& shape, const LightCoefficients& light,
+                            const Eigen::Vector3f& albedo) {
+  const Eigen::Vector3d sums = integral_with(row, shape.channels, light);
+  return shape.holds_albedo ? sums : sums.cwiseProduct(albedo.cast<double>());
 }
 
 // The same numbers for light and result of another degree, in plain storage.
@@ -107,9 +105,7 @@ double radiance_bound(const float* row, const TransferShape& shape, const Turnin
     const float* numbers = row + (shape.channels == 1 ? 0 : c * shape.count());
     double sum = 0.0;
     for (int l = 0; l <= shape.degree; ++l) {
-      double squares = 0.0;
-      for (int i = l * l; i < (l + 1) * (l + 1); ++i) squares += static_cast<double>(numbers[i] * numbers[i]);
-      sum += std::sqrt(squares) * light.band_norm(c, l);
+      sum += band(numbers, l).matrix().cast<double>().norm() * light.band_norm(c, l);
     }
     largest = std::max(largest, shape.holds_albedo ? sum : static_cast<double>(albedo[c]) * sum);
   }
@@ -126,11 +122,8 @@ double worst_radiance(const Transfer& transfer, const std::vector<LightCoefficie
       squares = seen_squares(TransferredRadiance(transfer, low), mesh);
     } else {
       for (std::size_t v = 0; v < squares.size(); ++v) {
-        double largest = 0.0;
-        for (std::size_t c = 0; c < kChannels; ++c) {
-          largest = std::max(largest, std::abs(radiance_of(transfer.row(v), transfer.shape, low, c, mesh.albedo[v])));
-        }
-        squares[v] = largest * largest;
+        const Eigen::Vector3d radiance = radiance_of(transfer.row(v), transfer.shape, low, mesh.albedo[v]);
+        squares[v] = radiance.cwiseAbs2().maxCoeff();
       }
     }
     const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
@@ -181,7 +174,7 @@ std::vector<double> Measurement::likely_errors(const TurningLight& light) const 
       const auto size = [&](const float* row) { return radiance_bound(row, shape, light, scene_.mesh.albedo[v]); };
       const float* first = rehearsal->coarse(0).data() + v * length;
       const float* second = rehearsal->coarse(1).data() + v * length;
-      std::transform(first, first + length, second, difference.begin(), std::minus<>());
+      as_array(difference) = as_array(first, length) - as_array(second, length);
       const float closed = std::max(rehearsal->sight(0)[v].closed(), rehearsal->sight(1)[v].closed());
       const double risk = kRiskOfClosed * static_cast<double>(closed) * std::max(size(first), size(second));
       errors[v] = std::max({errors[v], size(difference.data()), risk});
@@ -235,17 +228,11 @@ std::vector<float> Measurement::kept(const std::vector<float>& rows, const RowSh
     append_lower(rows.data() + first + asked.numbers.length(), *asked.matrices, *shape.matrices, matrices);
   }
   // The scales of 8 bits come from the largest numbers of the whole mesh, which a last row holds.
-  const std::size_t columns = asked.numbers.count();
-  std::vector<float> largest(shape.numbers.length(), 0.0F);
-  const bool same = shape.numbers.channels == scene_.bake.kind->shape(0).channels;
-  const std::vector<float>& coarse = rehearsals_[0]->coarse(0);
-  for (std::size_t i = 0; same && i < coarse.size(); ++i) {
-    const std::size_t column = i % columns;
-    if (column >= shape.numbers.count()) continue;
-    float& most = largest[i / columns % shape.numbers.channels * shape.numbers.count() + column];
-    most = std::max(most, std::abs(coarse[i]));
+  Eigen::ArrayXf largest = Eigen::ArrayXf::Zero(Eigen::Index(asked.numbers.length()));
+  if (shape.numbers.channels == scene_.bake.kind->shape(0).channels) {
+    largest = largest_numbers(rehearsals_[0]->coarse(0), asked.numbers.length());
   }
-  numbers.insert(numbers.end(), largest.begin(), largest.end());
+  append_lower(largest.data(), asked.numbers, shape.numbers, numbers);
   numbers = decode(encode(numbers, shape.numbers), shape.numbers);
   numbers.resize(numbers.size() - shape.numbers.length());
   if (!shape.matrices) return numbers;
@@ -269,9 +256,8 @@ Measurement::Radiances Measurement::radiances(const std::vector<float>& rows, co
     const LightCoefficients low = first_bands(light, shape.degree);
     for (std::size_t i = 0; i < part_->wanted(); ++i) {
       const Eigen::Vector3f& albedo = scene_.mesh.albedo[part_->vertices()[i]];
-      for (std::size_t c = 0; c < kChannels; ++c) {
-        radiances.push_back(radiance_of(rows.data() + i * shape.length(), shape, low, c, albedo) / unit_);
-      }
+      const Eigen::Vector3d radiance = radiance_of(rows.data() + i * shape.length(), shape, low, albedo) / unit_;
+      radiances.insert(radiances.end(), radiance.begin(), radiance.end());
     }
   }
   return radiances;

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
 
+#include "prt/arrays.hpp"
 #include "prt/bake/bounces.hpp"
 #include "prt/bake/glossy_bounces.hpp"
 #include "prt/bake/glossy_exit.hpp"
@@ -117,17 +117,17 @@ std::vector<float> Rehearsal::rows(const BakeOptions& options, const TracedPart&
     for (std::size_t c = 0; c < shape.numbers.channels; ++c) std::copy_n(direct.row(v), count, row + c * count);
     if (!bounces) continue;
     for (const FormFactor& factor : factors.row(v)) {
-      const auto weight = static_cast<float>(factor.weight) / 2.0F;
-      const float* x = coarse(0).data() + factor.vertex * length;
-      const float* y = coarse(1).data() + factor.vertex * length;
-      for (std::size_t k = 0; k < length; ++k) row[k] += weight * (x[k] + y[k]);
+      const std::size_t first = factor.vertex * length;
+      as_array(row, length) += static_cast<float>(factor.weight) / 2.0F *
+                               (as_array(&coarse(0)[first], length) + as_array(&coarse(1)[first], length));
     }
   }
   if (shape.matrices) gather_from_lobes(options, setup, part, open, rows.data());
   part.fill(sight).apply(rows.data(), length, length);
   rows.resize(part.wanted() * length);
-  for (std::size_t i = 0; shape.numbers.holds_albedo && i < rows.size(); ++i) {
-    rows[i] *= mesh_.albedo[part.vertices()[i / length]][static_cast<Eigen::Index>(i % length / count)];
+  for (std::size_t i = 0; shape.numbers.holds_albedo && i < part.wanted(); ++i) {
+    Eigen::Map<Eigen::MatrixX3f>(&rows[i * length], Eigen::Index(count), 3) *=
+        mesh_.albedo[part.vertices()[i]].asDiagonal();
   }
   return rows;
 }
@@ -137,9 +137,9 @@ MatrixTable Rehearsal::reaching(int degree) const {
   const std::size_t whole = coefficient_count(2 * asked_.degree);
   const std::size_t some = coefficient_count(2 * degree);
   std::vector<float> visibility(mesh_.positions.size() * some);
-  for (std::size_t i = 0; i < visibility.size(); ++i) {
-    const std::size_t at = i / some * whole + i % some;
-    visibility[i] = (coarse(0)[at] + coarse(1)[at]) / 2.0F;
+  for (std::size_t v = 0; v < mesh_.positions.size(); ++v) {
+    as_array(&visibility[v * some], some) =
+        (as_array(&coarse(0)[v * whole], some) + as_array(&coarse(1)[v * whole], some)) / 2.0F;
   }
   MatrixTable table(mesh_, degree);
   table.take_direct(visibility.data());
@@ -167,11 +167,8 @@ void Rehearsal::gather_from_lobes(const BakeOptions& options, const RaySetup& se
 Transfer Rehearsal::difference() const {
   Transfer difference = halves_[0]->transfer;
   const Transfer& other = halves_[1]->transfer;
-  const auto subtract = [](std::vector<float>& from, const std::vector<float>& what) {
-    std::transform(from.begin(), from.end(), what.begin(), from.begin(), std::minus<>());
-  };
-  subtract(difference.coefficients, other.coefficients);
-  subtract(difference.indirect, other.indirect);
+  as_array(difference.coefficients) -= as_array(other.coefficients);
+  as_array(difference.indirect) -= as_array(other.indirect);
   difference.mesh.positions.resize(mesh_.positions.size());
   return difference;
 }
@@ -217,14 +214,12 @@ double Rehearsal::spread(const std::vector<LightCoefficients>& lights) const {
   const std::size_t vertices = mesh_.positions.size();
   const TransferShape shape = asked_.kind->shape(asked_.degree);
   Panel difference(vertices, kChannels * lights.size());
+  std::vector<float> row(shape.length());
   for (std::size_t v = 0; v < vertices; ++v) {
-    for (std::size_t column = 0; column < kChannels * lights.size(); ++column) {
-      const std::size_t c = column % kChannels;
-      const std::size_t first = v * shape.length() + c * shape.count();
-      double& sum = difference.row(v)[column];
-      for (std::size_t k = 0; k < shape.count(); ++k) {
-        sum += static_cast<double>(coarse(0)[first + k] - coarse(1)[first + k]) * lights[column / kChannels].at(c, k);
-      }
+    as_array(row) = as_array(&coarse(0)[v * row.size()], row.size()) - as_array(&coarse(1)[v * row.size()], row.size());
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      as_array(difference.row(v) + kChannels * i, kChannels) =
+          integral_with(row.data(), shape.channels, lights[i]).array();
     }
   }
   double whole = 0.0;

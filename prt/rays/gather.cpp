@@ -114,9 +114,8 @@ void SharedDirections::turn(const Eigen::Matrix3f& frame, float* row) const {
 // This order of operations keeps every bit of DU for an open vertex.
 void control_with_unshadowed(const Gathered& seen, std::size_t count, float* transfer) {
   const float fraction = seen.fraction();
-  for (std::size_t i = 0; i < count; ++i) {
-    transfer[i] = fraction * transfer[i] + (seen.visible[i] - fraction * seen.all[i]);
-  }
+  auto own = as_array(transfer, count);
+  own = fraction * own + (as_array(seen.visible.data(), count) - fraction * as_array(seen.all.data(), count));
 }
 
 Gatherer::Gatherer(const Mesh& mesh, const std::vector<RayStart>& starts, const Tracer& tracer,
@@ -186,7 +185,7 @@ const Gathered& Gatherer::gather(std::size_t vertex) {
     directions_.turn(frame_, result_.visible.data());
     directions_.turn(frame_, result_.all.data());
   }
-  for (std::size_t i = 0; i < directions_.row_length(); ++i) result_.all[i] += result_.visible[i];
+  as_array(result_.all.data(), directions_.row_length()) += as_array(result_.visible.data(), directions_.row_length());
   return result_;
 }
 

@@ -22,7 +22,7 @@ Transfer seen_from(const Transfer& glossy, const Eigen::Vector3d& eye) {
   seen.coefficients.resize(seen.mesh.positions.size() * seen.shape.length());
   for (std::size_t i = 0; i < count; ++i) {
     LightCoefficients light = LightCoefficients::zero(glossy.degree());
-    for (std::size_t c = 0; c < 3; ++c) light.at(c, i) = 1.0;
+    light.matrix().row(Eigen::Index(i)).setOnes();
     const std::vector<Eigen::Vector3f> radiance =
         reflected_radiance(glossy, TransferredRadiance(glossy, light), eye, glossy.mesh.albedo);
     for (std::size_t v = 0; v < radiance.size(); ++v) {

@@ -10,6 +10,7 @@
 
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/relight_rgb.hpp"
+#include "prt/arrays.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 #include "prt/kinds/kinds.hpp"
@@ -27,18 +28,6 @@ namespace {
 constexpr std::size_t kChannels = 3;
 constexpr std::size_t kMostCoefficients = coefficient_count(kMaxDegree);
 
-// The light in the degree of the transfer, (3, bands^2).
-std::vector<float> widened(const LightCoefficients& light, int degree) {
-  const std::size_t count = coefficient_count(degree);
-  std::vector<float> values(kChannels * count, 0.0F);
-  for (std::size_t c = 0; c < kChannels; ++c) {
-    for (std::size_t i = 0; i < light.bands_squared(); ++i) {
-      values[c * count + i] = static_cast<float>(light.at(c, i));
-    }
-  }
-  return values;
-}
-
 // reaching (count, 3, rows) += matrices (count, channels, rows, columns) times the light (3, columns). Every row meets
 // every channel of the light, which is faster than to leave some out.
 void add_indirect(const TransferShape& shape, std::size_t count, const float* matrices, const float* light,
@@ -49,11 +38,13 @@ void add_indirect(const TransferShape& shape, std::size_t count, const float* ma
     std::vector<float> sums(range.size() * shape.channels * rows * kChannels);
     batch::relight_rgb(shape.degree, sums.size() / kChannels, batch::plain(matrices + range.first * shape.length()),
                        light, batch::plain(sums.data()));
-    for (std::size_t i = 0; i < range.size() * kChannels * rows; ++i) {
-      const std::size_t v = i / (kChannels * rows);
-      const std::size_t c = i / rows % kChannels;
-      const std::size_t row = (v * shape.channels + (shape.channels == 1 ? 0 : c)) * rows + i % rows;
-      reaching[range.first * kChannels * rows + i] += sums[row * kChannels + c];
+    using Sums = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, kChannels, Eigen::RowMajor>>;
+    for (std::size_t v = 0; v < range.size(); ++v) {
+      for (std::size_t c = 0; c < kChannels; ++c) {
+        const std::size_t first = (v * shape.channels + c % shape.channels) * rows;
+        as_array(reaching + ((range.first + v) * kChannels + c) * rows, rows) +=
+            Sums(&sums[first * kChannels], Eigen::Index(rows), kChannels).col(Eigen::Index(c)).array();
+      }
     }
   });
 }
@@ -81,7 +72,7 @@ TransferredRadiance::TransferredRadiance(const Transfer& transfer, const LightCo
         fmt::format("transfer of kind {} is exit radiance; expected a glossy kind", transfer.kind->letters));
   }
   require_light(transfer, light);
-  const std::vector<float> wide = widened(light, degree_);
+  const std::vector<float> wide = in_single(light, degree_);
   values_ = wide;
   if (transfer.shape.meets == Meets::kNothing) return;
   const std::size_t vertices = transfer.mesh.positions.size();
@@ -118,10 +109,9 @@ TransferredRadiance::TransferredRadiance(const Transfer& transfer, const LightCo
 void TransferredRadiance::at(const Hit& hit, const Mesh& mesh, float* out) const {
   const Face& face = mesh.faces[hit.face];
   const std::array<float, 3> part = hit.parts();
-  const std::array<const float*, 3> corner = {at(face[0]), at(face[1]), at(face[2])};
-  for (std::size_t i = 0; i < kChannels * coefficient_count(degree_); ++i) {
-    out[i] = part[0] * corner[0][i] + part[1] * corner[1][i] + part[2] * corner[2][i];
-  }
+  const std::size_t count = kChannels * coefficient_count(degree_);
+  const auto of = [&](std::size_t k) { return part[k] * as_array(at(face[k]), count); };
+  as_array(out, count) = of(0) + of(1) + of(2);
 }
 
 Material material_of(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f& albedo) {

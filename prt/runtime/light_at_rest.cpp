@@ -22,10 +22,11 @@ void convolve(const Mesh& mesh, std::size_t vertex, int degree, const float* rea
   for (int l = 0; l <= degree; ++l) {
     factors[l] = static_cast<float>(phong_factor(l, static_cast<double>(mesh.exponent[vertex])));
   }
-  for (Eigen::Index c = 0; c < 3; ++c) {
-    const float specular = mesh.specular[vertex][c];
+  using Lane = Eigen::Map<Eigen::ArrayXf, Eigen::Unaligned, Eigen::InnerStride<kLanes>>;
+  for (Eigen::Index c = 0; c < 3; ++c, reaching += coefficient_count(degree)) {
     for (int l = 0; l <= degree; ++l) {
-      for (int m = -l; m <= l; ++m, to += kLanes) *to = specular * factors[l] * *reaching++;
+      Lane(to, 2 * l + 1) = mesh.specular[vertex][c] * factors[l] * band(reaching, l);
+      to += (2 * l + 1) * kLanes;
     }
   }
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "prt/arrays.hpp"
+
 namespace sh::prt {
 
 namespace {
@@ -25,8 +27,8 @@ void add_sums(const float* lit, std::size_t stride, const Weights& weights, std:
     lit += stride;
     for (std::size_t j = 0; j < Registers; ++j) sums[j] += weights[k] * FourIn(lit + j * kLanes);
   }
-  const float* from = sums[0].data();
-  for (std::size_t i = 0; i < std::min(width, Registers * kLanes); ++i) out[i] += from[i];
+  const std::size_t some = std::min(width, Registers * kLanes);
+  as_array(out, some) += as_array(sums[0].data(), some);
 }
 
 }  // namespace
@@ -39,17 +41,14 @@ LitClusters::LitClusters(const Clusters& clusters, const std::vector<float>& lit
   for (std::size_t row = 0; row * width_ < lit.size(); ++row) {
     const bool is_mean = row % (1 + clusters.vectors) == 0;
     const float part = is_mean ? 1.0F : 1.0F / static_cast<float>(Clusters::kSteps);
-    std::transform(lit.begin() + row * width_, lit.begin() + (row + 1) * width_, lit_.begin() + row * stride_,
-                   [part](float value) { return part * value; });
+    as_array(&lit_[row * stride_], width_) = part * as_array(&lit[row * width_], width_);
   }
 }
 
 void LitClusters::add_to(std::size_t receiver, float* out) const {
   const std::size_t vectors = clusters_.vectors;
   Weights weights;
-  for (std::size_t k = 0; k < vectors; ++k) {
-    weights[k] = static_cast<float>(clusters_.weights[receiver * vectors + k]);
-  }
+  std::copy_n(clusters_.weights.data() + receiver * vectors, vectors, weights.begin());
   const float* lit = lit_.data() + clusters_.cluster[receiver] * (1 + vectors) * stride_;
   constexpr std::size_t kMany = kRegisters * kLanes;
   std::size_t at = 0;

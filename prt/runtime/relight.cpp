@@ -48,12 +48,8 @@ std::vector<float> light_of(const Transfer& transfer, const LightCoefficients& l
   const auto first = light.values.begin();
   const auto end = first + static_cast<std::ptrdiff_t>(n);
   const bool is_white = std::equal(first, end, end) && std::equal(first, end, end + static_cast<std::ptrdiff_t>(n));
-  std::vector<float> values((is_white ? 1 : 3) * coefficient_count(transfer.degree()), 0.0F);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::size_t channel = i / coefficient_count(transfer.degree());
-    const std::size_t index = i % coefficient_count(transfer.degree());
-    if (index < n) values[i] = static_cast<float>(light.at(channel, index));
-  }
+  std::vector<float> values = in_single(light, transfer.degree());
+  if (is_white) values.resize(coefficient_count(transfer.degree()));
   return values;
 }
 
@@ -213,10 +209,7 @@ std::vector<float> relight_gray(const Transfer& transfer, const LightCoefficient
 
 LightCoefficients white(const LightCoefficients& light) {
   LightCoefficients out = light;
-  for (std::size_t i = 0; i < light.bands_squared(); ++i) {
-    const double luminance = 0.2126 * light.at(0, i) + 0.7152 * light.at(1, i) + 0.0722 * light.at(2, i);
-    for (std::size_t c = 0; c < 3; ++c) out.at(c, i) = luminance;
-  }
+  out.matrix().colwise() = light.matrix() * Eigen::Vector3d(0.2126, 0.7152, 0.0722);
   return out;
 }
 

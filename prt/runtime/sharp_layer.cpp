@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 
+#include "generated/cpp/evaluate.hpp"
 #include "numeric/oracle/legendre_rings.hpp"
 #include "numeric/oracle/quadrature.hpp"
 #include "prt/basis.hpp"
@@ -161,16 +161,18 @@ Eigen::Vector3f SharpLayer::at(float exponent, const Eigen::Vector3f& direction)
 float visibility_towards(const Transfer& transfer, const Hit& hit, const Eigen::Vector3f& direction) {
   if (transfer.shape.meets != Meets::kOperator) return 1.0F;
   const int degree = transfer.shape.degree + transfer.shape.result_degree;
-  std::array<float, coefficient_count(kMaxDegree)> basis;
-  evaluate_basis(degree, direction.x(), direction.y(), direction.z(), basis.data());
+  std::array<float, coefficient_count(kMaxDegree)> between{};
   const Face& face = transfer.mesh.faces[hit.face];
   const std::array<float, 3> parts = hit.parts();
-  float seen = 0.0F;
+  const std::size_t count = coefficient_count(degree);
   std::vector<float> room;
   for (std::size_t k = 0; k < 3; ++k) {
-    const float* row = transfer.row(face[k], room);
-    seen += parts[k] * std::inner_product(row, row + coefficient_count(degree), basis.begin(), 0.0F);
+    as_array(between.data(), count) += parts[k] * as_array(transfer.row(face[k], room), count);
   }
+  float seen = 0.0F;
+  at_degree(degree, [&](auto known) {
+    seen = sh::evaluate<known()>(between.data(), direction.x(), direction.y(), direction.z());
+  });
   return std::clamp(seen, 0.0F, 1.0F);
 }
 

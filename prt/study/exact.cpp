@@ -20,7 +20,6 @@ constexpr int kAzimuths = 80;
 std::vector<double> hidden_by_disc(const Eigen::Vector3d& point, double radius, double height, int degree) {
   static const numeric::GaussLegendreRule<double> rule = numeric::gauss_legendre<double>(kRadii);
   std::vector<double> sum(coefficient_count(degree), 0.0);
-  std::vector<double> values(sum.size());
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
     const double r = 0.5 * radius * (1.0 + rule.nodes[i]);
     const double area = 0.5 * radius * rule.weights[i] * r * 2.0 * std::numbers::pi / kAzimuths;
@@ -29,9 +28,7 @@ std::vector<double> hidden_by_disc(const Eigen::Vector3d& point, double radius, 
       const Eigen::Vector3d to = Eigen::Vector3d(r * std::cos(azimuth), r * std::sin(azimuth), height) - point;
       const double squared = to.squaredNorm();
       const Eigen::Vector3d d = to / std::sqrt(squared);
-      evaluate_basis(degree, d.x(), d.y(), d.z(), values.data());
-      const double weight = area * d.z() * d.z() / (squared * std::numbers::pi);
-      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * values[k];
+      add_basis(degree, d.x(), d.y(), d.z(), area * d.z() * d.z() / (squared * std::numbers::pi), sum.data());
     }
   }
   return sum;
@@ -47,7 +44,7 @@ std::optional<TransferRows> exact_transfer(const Scene& scene, const std::vector
     if (scene.mesh.normals[v].z() > 0.0F && position.z() < 0.5F * disc.height) {  // on the ground
       const std::vector<double> hidden = hidden_by_disc(position.cast<double>(), static_cast<double>(disc.radius),
                                                         static_cast<double>(disc.height), degree);
-      for (std::size_t i = 0; i < row.size(); ++i) row[i] = static_cast<float>(static_cast<double>(row[i]) - hidden[i]);
+      as_array(row) = (as_array(row).cast<double>() - as_array(hidden)).cast<float>();
     }
     rows.values.insert(rows.values.end(), row.begin(), row.end());
   }

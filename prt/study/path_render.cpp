@@ -2,16 +2,15 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "generated/cpp/evaluate.hpp"
 #include "numeric/output/progress.hpp"
 #include "prt/chunks.hpp"
 #include "prt/material/reflected.hpp"
@@ -116,12 +115,10 @@ class PathTracer {
   static Eigen::Vector3f reflect_by_brdf(const Material& material, const Eigen::Vector3f& normal, Path& path,
                                          std::mt19937& random) {
     const Eigen::Vector3f next = power_direction(normal, 0.0F, random);
-    std::array<float, coefficient_count(kMaxDegree)> basis;
-    evaluate_basis(kMaxDegree, next.x(), next.y(), next.z(), basis.data());
     Eigen::Vector3f reflected = Eigen::Vector3f::Zero();
     for_reflected_lobes(material.brdf, material.albedo, kMaxDegree, normal, -path.direction.normalized(),
                         [&](const Eigen::Vector3f& color, const float* weights) {
-                          reflected += color * std::inner_product(basis.begin(), basis.end(), weights, 0.0F);
+                          reflected += color * sh::evaluate<kMaxDegree>(weights, next.x(), next.y(), next.z());
                         });
     path.throughput = 2.0F * std::numbers::pi_v<float> * path.throughput.cwiseProduct(reflected);
     return next;

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "numeric/output/progress.hpp"
+#include "prt/arrays.hpp"
 #include "prt/bake/bounces.hpp"
 #include "prt/bake/row_tracer.hpp"
 #include "prt/chunks.hpp"
@@ -50,14 +51,10 @@ Direct trace_mesh(const StudySetup& setup, const BakeOptions& options) {
   Fill fill(closed_vertices(mesh, sight));
   fill.apply(transfer.data(), count, count);
   direct.factors.fill_with(std::move(fill));
+  const LightCoefficients light = first_bands(setup.light, options.degree);
   for (std::size_t v = 0; v < vertices; ++v) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      double sum = 0.0;
-      for (std::size_t k = 0; k < count; ++k) {
-        sum += static_cast<double>(transfer[v * count + k]) * setup.light.at(c, k);
-      }
-      direct.radiance.row(v)[c] = sum * static_cast<double>(mesh.albedo[v][c]);
-    }
+    as_array(direct.radiance.row(v), 3) =
+        mesh.albedo[v].cast<double>().array() * integral_with(&transfer[v * count], 1, light).array();
   }
   direct.seconds = process_seconds() - start;
   progress.finish();

@@ -133,13 +133,10 @@ std::string StudySetup::all_degrees_name() const {
 
 Radiances StudySetup::relit(const TransferRows& rows, const LightCoefficients& lit_by, int degree) const {
   Radiances radiances(vertices.index.size(), Eigen::Vector3d::Zero());
-  const auto count = static_cast<Eigen::Index>(coefficient_count(degree));
-  const Eigen::Map<const Eigen::MatrixX3d> light_of_channels(lit_by.values.data(),
-                                                             static_cast<Eigen::Index>(lit_by.bands_squared()), 3);
+  const LightCoefficients low = first_bands(lit_by, degree);
   for (std::size_t i = 0; i < radiances.size(); ++i) {
-    const Eigen::Map<const Eigen::VectorXf> row(rows.row(i), count);
     const Eigen::Vector3d albedo = scene.mesh.albedo[vertices.index[i]].cast<double>();
-    radiances[i] = albedo.cwiseProduct(light_of_channels.topRows(count).transpose() * row.cast<double>());
+    radiances[i] = albedo.cwiseProduct(integral_with(rows.row(i), 1, low));
   }
   return radiances;
 }
@@ -148,10 +145,10 @@ CoefficientError coefficient_error(const TransferRows& rows, const TransferRows&
   const std::size_t count = coefficient_count(rows.degree);
   CoefficientError error;
   double square = 0.0;
-  for (std::size_t i = 0; i < rows.values.size(); ++i) {
-    const auto difference = static_cast<double>(rows.values[i] - reference.row(i / count)[i % count]);
-    square += difference * difference;
-    error.largest = std::max(error.largest, std::abs(difference));
+  for (std::size_t i = 0; i * count < rows.values.size(); ++i) {
+    const Eigen::ArrayXd difference = (as_array(rows.row(i), count) - as_array(reference.row(i), count)).cast<double>();
+    square += difference.square().sum();
+    error.largest = std::max(error.largest, difference.abs().maxCoeff());
   }
   error.rms = std::sqrt(square / static_cast<double>(std::max<std::size_t>(rows.values.size(), 1)));
   return error;

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "prt/arrays.hpp"
 #include "prt/chunks.hpp"
 #include "prt/transfer/clustering.hpp"
 
@@ -86,7 +87,7 @@ void Clusters::row(std::size_t receiver, float* out) const {
   for (std::size_t k = 0; k < vectors; ++k) {
     const float weight = static_cast<float>(weights[receiver * vectors + k]) / static_cast<float>(kSteps);
     const float* vector = mean + (1 + k) * length;
-    for (std::size_t i = 0; i < length; ++i) out[i] += weight * vector[i];
+    as_array(out, length) += weight * as_array(vector, length);
   }
 }
 

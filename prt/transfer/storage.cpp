@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -10,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "prt/arrays.hpp"
 #include "prt/names.hpp"
 
 namespace sh::prt {
@@ -39,12 +39,6 @@ std::vector<Column> columns_of(const TransferShape& shape) {
     }
   }
   return columns;
-}
-
-float largest_of_column(const std::vector<float>& numbers, std::size_t length, std::size_t column) {
-  float largest = 0.0F;
-  for (std::size_t at = column; at < numbers.size(); at += length) largest = std::max(largest, std::abs(numbers[at]));
-  return largest;
 }
 
 // The scale of a column: a normal number, 127 times which does not overflow; zero for a column of zeros.
@@ -94,8 +88,9 @@ Encoded encode(const std::vector<float>& numbers, const TransferShape& shape) {
   const std::vector<Column> columns = columns_of(shape);
   const std::size_t size = bytes_of(element);
   Encoded encoded;
+  const Eigen::ArrayXf all_largest = largest_numbers(numbers, length);
   for (const Column& column : columns) {
-    const float largest = largest_of_column(numbers, length, column.first);
+    const float largest = all_largest[Eigen::Index(column.first)];
     if (!std::isfinite(encoding_error(element, static_cast<double>(largest)))) {
       throw std::invalid_argument(fmt::format("a transfer coefficient of {} does not fit into type {}", largest,
                                               word_of(element, kElementNames)));
@@ -130,6 +125,14 @@ std::vector<float> decode(const Encoded& encoded, const TransferShape& shape) {
     }
   }
   return numbers;
+}
+
+Eigen::ArrayXf largest_numbers(const std::vector<float>& numbers, std::size_t length) {
+  Eigen::ArrayXf largest = Eigen::ArrayXf::Zero(Eigen::Index(length));
+  for (std::size_t first = 0; first < numbers.size(); first += length) {
+    largest = largest.max(as_array(&numbers[first], length).abs());
+  }
+  return largest;
 }
 
 double encoding_error(Element element, double largest) {

@@ -5,6 +5,7 @@
 //   byte    signed 8 bits q times a scale per column s = largest |t| of the column / 127: off by at most s / 2. One
 //           scale serves all vertices, so that a product with a light can take it into the light.
 #pragma once
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
@@ -23,6 +24,9 @@ Encoded encode(const std::vector<float>& numbers, const TransferShape& shape);
 
 /// file -> (receivers, shape.length()).
 std::vector<float> decode(const Encoded& encoded, const TransferShape& shape);
+
+/// The largest absolute value of each column of rows, (length); numbers (rows, length).
+Eigen::ArrayXf largest_numbers(const std::vector<float>& numbers, std::size_t length);
 
 /// The largest error that encoding makes of a number of a column whose numbers are at most `largest`; infinite where it
 /// cannot hold them.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prt/arrays.hpp"
+
 namespace sh::prt {
 namespace {
 
@@ -41,11 +43,11 @@ std::string flaw_of(const Clusters& clusters) {
     return "a weight is below -127";
   }
   const std::size_t length = clusters.length;
-  std::vector<float> sums(length);
+  Eigen::ArrayXf sums(length);
   for (std::size_t row = 0; row * length < clusters.basis.size(); ++row) {
-    if (row % (1 + clusters.vectors) == 0) std::fill(sums.begin(), sums.end(), 0.0F);
-    for (std::size_t i = 0; i < length; ++i) sums[i] += std::abs(clusters.basis[row * length + i]);
-    if (!all(sums, [](float sum) { return std::isfinite(sum); })) return "a transfer coefficient is not finite";
+    if (row % (1 + clusters.vectors) == 0) sums.setZero();
+    sums += as_array(&clusters.basis[row * length], length).abs();
+    if (!sums.allFinite()) return "a transfer coefficient is not finite";
   }
   return {};
 }

@@ -1,6 +1,5 @@
 #include "prt/transfer/unshadowed.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <numbers>
 
@@ -39,7 +38,7 @@ std::vector<float> unshadowed_transfer(int degree, const std::vector<Eigen::Vect
   return for_normals(degree, normals, [](auto known, const Eigen::Vector3f& n, float* row) {
     sh::basis<known()>(n.x(), n.y(), n.z(), row);
     sh::irradiance<known()>(row);
-    std::for_each(row, row + coefficient_count(known()), [](float& value) { value *= std::numbers::inv_pi_v<float>; });
+    as_array(row, coefficient_count(known())) *= std::numbers::inv_pi_v<float>;
   });
 }
 
