@@ -41,7 +41,7 @@ class ShaderData {
   /// The rows of a texture; throws like add_texture.
   static std::size_t height_of(std::string_view name, std::size_t texels);
 
-  Json json;
+  Json json = Json::object();
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
  private:
