@@ -17,6 +17,7 @@
 #include "prt/bake/steps.hpp"
 #include "prt/chunks.hpp"
 #include "prt/plan/measure.hpp"
+#include "prt/transfer/kept_bands.hpp"
 #include "prt/transfer/storage.hpp"
 #include "prt/transfer/transfer_file.hpp"
 
@@ -75,6 +76,20 @@ void check(const BakeJob& job) {
     throw std::invalid_argument(fmt::format(
         "{}: compress: only a plan with an error chooses counts of clusters; expected one (lossy), or counts",
         job.scene.name));
+  }
+  if (!options.kind->stores_visibility() && options.keep != KeptBands()) {
+    throw std::invalid_argument(fmt::format("{}: keep: {} stores no visibility and no matrices; expected {} or {}",
+                                            job.scene.name, options.kind->word, kGlossyShadowed.word,
+                                            kGlossyInterreflected.word));
+  }
+  const KeptBands& keep = options.keep;
+  if (!options.kind->stores_matrices() && (keep.result != KeptBands().result || keep.light != KeptBands().light)) {
+    throw std::invalid_argument(fmt::format("{}: keep: {} has no matrices with result and light; expected {}",
+                                            job.scene.name, options.kind->word, kGlossyInterreflected.word));
+  }
+  if (std::min({keep.visibility, keep.result, keep.light}) < 0) {
+    throw std::invalid_argument(
+        fmt::format("keep: expected bands of 0 or more, got {}, {} and {}", keep.visibility, keep.result, keep.light));
   }
   const bool compresses = options.compress.clusters > 0 || options.compress_by_plan;
   if (compresses && options.kind->shape(options.degree).length() == 0) {
@@ -261,6 +276,7 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
     transfer = by_channel ? run_by_channel(job, measured) : run_steps(job.scene, job.settings, *job.plan, measured);
   });
   take_plan(*job.plan, transfer);
+  if (wanted.kind->stores_visibility()) keep_bands(wanted.keep, transfer);
   if (wanted.compress.clusters > 0 || !job.plan->clusters.empty()) {
     on_threads(job.settings.threads, [&] { compress_by_plan(*job.plan, wanted.compress, transfer); });
   }

@@ -119,7 +119,7 @@ bool decode_chunk(std::string_view data, const VertexRange& range, ShadowResult&
 }  // namespace
 
 std::string bake_key(const Scene& scene, const std::string& instruction_set, const std::vector<std::uint8_t>& open) {
-  [[maybe_unused]] const auto& [degree, directions, sampler, seed, kind, bounces, compress, by_plan, fit_lobes] =
+  [[maybe_unused]] const auto& [degree, directions, sampler, seed, kind, bounces, keep, compress, by_plan, fit_lobes] =
       scene.bake;  // as above
   const nlohmann::ordered_json key = {{"vertices", scene.mesh.positions.size()},
                                       {"faces", scene.mesh.faces.size()},

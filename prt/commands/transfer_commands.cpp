@@ -11,7 +11,9 @@
 #include "prt/runtime/fixed_view.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/vertex_shader.hpp"
+#include "prt/transfer/kept_bands.hpp"
 #include "prt/transfer/transfer_file.hpp"
+#include "prt/transfer/transfer_json.hpp"
 
 namespace sh::prt {
 namespace {
@@ -75,7 +77,8 @@ void run_info(const std::string& file) {
   json["file"] = std::filesystem::path(file).filename().string();
   json["bytes"] = std::filesystem::file_size(file);
   json["bounding_box"] = {json_of(transfer.mesh.frame.world(box.min())), json_of(transfer.mesh.frame.world(box.max()))};
-  const bool has_matrices = transfer.kind->indirect != nullptr;
+  const bool has_matrices = transfer.kind->stores_matrices();
+  if (transfer.kind->stores_visibility()) json["keeps"] = to_json(kept_by(transfer), *transfer.kind);
   const std::size_t vertices = transfer.mesh.positions.size();
   const std::size_t bytes =
       transfer.shape.receiver_bytes() + (has_matrices ? transfer.indirect_shape.receiver_bytes() : 0);

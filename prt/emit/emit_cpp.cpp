@@ -106,6 +106,8 @@ class CppEmitter {
     add_clusters(transfer_.indirect_clusters, "Matrix");
     constant("kMatricesAt", add(emitted_matrices(transfer_), transfer_.indirect_shape));
     constant("kMatrixChannels", transfer_.indirect_shape.channels);
+    constant("kMatrixRows", transfer_.indirect_shape.rows());
+    constant("kMatrixColumns", transfer_.indirect_shape.columns());
     elements_ += element_of("kMatrixElement", transfer_.indirect_shape);
   }
 

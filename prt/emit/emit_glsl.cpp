@@ -47,17 +47,20 @@ class GlslEmitter {
   Shader& meeting(const Clusters& clusters, std::string_view prefix) {
     if (clusters.empty()) return relight_;
     const bool is_matrix = !prefix.empty();
-    const std::size_t fours = ((transfer_.kind->is_glossy() ? coefficient_count(transfer_.degree()) : 1) * 3 + 3) / 4;
+    const bool is_glossy = transfer_.kind->is_glossy();
+    const std::size_t given = is_matrix   ? transfer_.indirect_shape.rows()
+                              : is_glossy ? coefficient_count(transfer_.degree())
+                                          : 1;
+    const std::size_t fours = (3 * given + 3) / 4;
     const std::size_t parts = (fours + kCaptured - 1) / kCaptured;
     const std::size_t part = (fours + parts - 1) / parts;
     const std::size_t rows = clusters.count() * (1 + clusters.vectors);
     Shader lit{is_matrix ? "lit_matrices.vert" : "lit.vert", {}, {}, {}};
     lit.define("COUNT", coefficient_count(transfer_.degree()));
-    for (Shader* shader : {&relight_, &lit}) {
-      if (shader == &relight_ && !lit_.empty()) continue;
-      shader->define("NUMBERS", transfer_.kind->is_glossy() ? "(3 * COUNT)" : "3");
-      shader->define("LIT_PART", part);
-    }
+    if (lit_.empty()) relight_.define("NUMBERS", is_glossy ? "(3 * COUNT)" : "3");
+    relight_.define(is_matrix ? "MATRIX_LIT_PART" : "LIT_PART", part);
+    lit.define("NUMBERS", 3 * given);
+    lit.define("LIT_PART", part);
     relight_.define(is_matrix ? "MATRIX_CLUSTER_ROWS" : "CLUSTER_ROWS", rows);
     relight_.define(is_matrix ? "MATRIX_VECTORS" : "VECTORS", clusters.vectors);
     const std::string texture = is_matrix ? "lit_matrices" : "lit";
@@ -75,15 +78,19 @@ class GlslEmitter {
     return lit_.emplace_back(std::move(lit));
   }
 
-  void add_diffuse() {
-    Shader& shader = meeting(transfer_.clusters, "");
-    shader.define("CHANNELS", rows_.channels);
+  void define_kept(Shader& shader) const {
     shader.define("KEPT_COUNT", rows_.kept.size());
     if (rows_.is_masked()) {
       shader.functions +=
           fmt::format("\nconst int kept[{0}] = int[{0}]({1});\n", rows_.kept.size(), fmt::join(rows_.kept, ", "));
     }
     shader.define("KEPT(k)", rows_.is_masked() ? "kept[k]" : "(k)");
+  }
+
+  void add_diffuse() {
+    Shader& shader = meeting(transfer_.clusters, "");
+    shader.define("CHANNELS", rows_.channels);
+    define_kept(shader);
     shader.use(kernels_, "RELIGHT");
     shader.texts = {"row_sums.glsl"};
     data_.add_texture("transfer", rows_.encoded, rows_.shape);
@@ -148,6 +155,7 @@ class GlslEmitter {
     Shader& shader = meeting(transfer_.clusters, "");
     data_.add_texture("rows", rows_.encoded, rows_.shape);
     shader.define("ROW", rows_.shape.columns());
+    define_kept(shader);
     if (const std::vector<float> scale = scale_of_texels(); !scale.empty()) {
       shader.functions +=
           fmt::format("\nconst float row_scale[{0}] = float[{0}]({1:.9e});\n", scale.size(), fmt::join(scale, ", "));
@@ -164,6 +172,9 @@ class GlslEmitter {
     Shader& shader = meeting(transfer_.indirect_clusters, "matrix_");
     data_.add_texture("matrices", emitted_matrices(transfer_), transfer_.indirect_shape);
     shader.define("MATRIX_CHANNELS", transfer_.indirect_shape.channels);
+    shader.define("MATRIX_COLUMNS", transfer_.indirect_shape.columns());
+    relight_.define("MATRIX_ROWS", transfer_.indirect_shape.rows());
+    if (&shader != &relight_) shader.define("MATRIX_ROWS", transfer_.indirect_shape.rows());
     shader.use(kernels_, "MATRIX_ROW");
     if (&shader != &relight_) shader.texts = {"glossy_light.glsl", "light_row_matrix.glsl", "lit.glsl"};
   }

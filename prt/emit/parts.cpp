@@ -77,23 +77,26 @@ void EmittedKernels::add_glossy() {
   use("SH_EMITTED_GATHER", emitted_kernel("relight_rgb", degree_, language_));
   if (transfer_.shape.meets == Meets::kOperator) add_operator();
   if (!has_matrices(transfer_)) return;
-  const char* row = transfer_.indirect_shape.channels == 3 ? "relight_colored" : "relight_rgb";
-  use("SH_EMITTED_MATRIX_ROW", emitted_kernel(row, degree_, language_, {options_.light, options_.light}),
-      times_a_vertex(transfer_.indirect_shape, 3 * coefficient_count(degree_)) *
-          static_cast<int>(coefficient_count(degree_)));
+  const TransferShape& matrices = transfer_.indirect_shape;
+  std::vector<std::uint32_t> light = options_.light;
+  std::erase_if(light, [&](std::uint32_t i) { return i >= matrices.columns(); });
+  const char* row = matrices.channels == 3 ? "relight_colored" : "relight_rgb";
+  use("SH_EMITTED_MATRIX_ROW", emitted_kernel(row, matrices.degree, language_, {light, light}),
+      times_a_vertex(matrices, 3 * matrices.rows()) * static_cast<int>(matrices.rows()));
 }
 
 // The quadrature with the light's samples, or the product with fewer coefficients, whichever has fewer operations.
 void EmittedKernels::add_operator() {
-  const EmittedKernel apply = emitted_kernel("transfer_apply_rgb", degree_, language_);
+  const std::vector<std::uint32_t> kept = rows_.is_masked() ? rows_.kept : std::vector<std::uint32_t>();
+  const EmittedKernel apply = emitted_kernel("transfer_apply_rgb", degree_, language_, {kept, {}});
   if (!options_.light.empty()) {
     constexpr int kChannels = 3;
-    EmittedKernel product = emitted_product(degree_, language_, {{}, options_.light});
+    EmittedKernel product = emitted_product(degree_, language_, {kept, options_.light});
     if (kChannels * product.operations < apply.operations) {
       const int times = times_a_vertex(rows_.shape, kChannels * coefficient_count(degree_));
       use("SH_EMITTED_PRODUCT", product);
       cost_.operations += times * kChannels * product.operations;
-      cost_.unmasked += times * apply.operations;
+      cost_.unmasked += times * apply.unmasked;
       return;
     }
   }
@@ -136,6 +139,12 @@ std::string emitted_comment(const Transfer& transfer, const EmittedRows& rows, c
       transfer.kind->letters, transfer.degree(), transfer.mesh.positions.size(), clusters, numbers,
       storage.is_clustered() ? "" : " a vertex",
       kElementNames[static_cast<std::size_t>(transfer.shape.storage.element)], cost.operations, cost.unmasked);
+  if (has_matrices(transfer)) {
+    const TransferShape& matrices = transfer.indirect_shape;
+    text += fmt::format("// Matrices:     {} of {} x {} numbers, {} precision{}\n", matrices.channels, matrices.rows(),
+                        matrices.columns(), kElementNames[static_cast<std::size_t>(matrices.storage.element)],
+                        matrices.storage.is_clustered() ? ", in clusters" : " a vertex");
+  }
   if (plan.budget > 0.0) {
     return text + fmt::format("// Error:        {:.2g} of the largest unshadowed radiance, as the bake's plan states\n",
                               plan.error);

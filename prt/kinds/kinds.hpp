@@ -35,6 +35,8 @@ struct TransferKind {
   [[nodiscard]] bool is_glossy() const { return !shape(0).holds_cosine; }
   [[nodiscard]] bool is_diffuse() const { return !is_glossy(); }
   [[nodiscard]] bool stores_numbers() const { return shape(0).length() > 0; }
+  [[nodiscard]] bool stores_visibility() const { return shape(0).meets == Meets::kOperator; }
+  [[nodiscard]] bool stores_matrices() const { return indirect != nullptr; }
   /// The shape of the numbers that rays give, before albedo and bounces: one channel.
   [[nodiscard]] TransferShape traced_shape(int degree) const {
     TransferShape traced = shape(degree);

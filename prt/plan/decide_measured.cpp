@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "prt/plan/bounds.hpp"
@@ -145,6 +146,65 @@ void decide_bounces(Draft& draft) {
                "this little light comes back", returned, "measured");
 }
 
+// Walks from few rows and all columns to all rows and few columns, along the border of what the budget allows.
+void decide_matrices(Draft& draft) {
+  constexpr double kPart = 0.3;
+  const RowShape rows = draft.row_shape();
+  if (!rows.matrices) return draft.decide("matrices", "none", "without bounces there are none");
+  const int degree = draft.bake.degree;
+  const auto size = [&](const KeptBands& kept) { return rows.with(kept).matrices->count(); };
+  KeptBands next = draft.bake.keep;
+  std::tie(next.result, next.light) = std::pair(0, degree);
+  KeptBands best = draft.bake.keep;
+  double error = 0.0;
+  double least = 0.0;  // error of those that the budget does not allow
+  while (next.result <= degree && next.light >= 0) {
+    const bool is_whole = next.result == degree && next.light == degree;
+    const double measured = is_whole ? 0.0 : measured_error_of(draft, rows.with(next));
+    if (measured > draft.share(kPart)) {
+      least = least > 0.0 ? std::min(least, measured) : measured;
+      ++next.result;
+      continue;
+    }
+    if (std::pair(size(next), measured) < std::pair(size(best), error))
+      std::tie(best, error) = std::pair(next, measured);
+    --next.light;
+  }
+  if (best == draft.bake.keep) {
+    return draft.decide("matrices", fmt::format("{0} x {0} as the degree needs", rows.matrices->rows()),
+                        degree > 0 ? fmt::format("with fewer the error would be {:.2g} or more", least)
+                                   : std::string("they have one number a channel"));
+  }
+  draft.bake.keep = best;
+  const TransferShape some = *rows.with(best).matrices;
+  draft.decide("matrices",
+               fmt::format("{} x {} instead of {} x {}", some.rows(), some.columns(), rows.matrices->rows(),
+                           rows.matrices->columns()),
+               fmt::format("degree {} of what returns, {} of the light: what the other bands add", some.result_degree,
+                           some.degree),
+               error, "measured");
+}
+
+void decide_visibility(Draft& draft) {
+  constexpr double kPart = 0.2;
+  const RowShape rows = draft.row_shape();
+  const int whole = rows.numbers.function_degree();
+  KeptBands kept = draft.bake.keep;
+  double error = 0.0;
+  for (kept.visibility = 0; kept.visibility < whole; ++kept.visibility) {
+    error = measured_error_of(draft, rows.with(kept));
+    if (error > draft.share(kPart)) continue;
+    draft.bake.keep = kept;
+    return draft.decide(
+        "visibility", fmt::format("{} of {} numbers", coefficient_count(kept.visibility), rows.numbers.count()),
+        fmt::format("degree {}: what its bands {} to {} add", kept.visibility, kept.visibility + 1, whole), error,
+        "measured");
+  }
+  draft.decide("visibility", fmt::format("all {} numbers", rows.numbers.count()),
+               whole > 0 ? fmt::format("without band {} the error would be {:.2g}", whole, error)
+                         : std::string("there is one band"));
+}
+
 void decide_bands(Draft& draft) {
   constexpr double kPart = 0.4;
   const int asked = draft.bake.degree;
@@ -169,13 +229,17 @@ void decide_bands(Draft& draft) {
                   asked > 0 ? std::min(bound_above(draft, asked - 1), measured_above(draft, asked - 1)) : 1.0));
 }
 
-double measured_error_of(const Draft& draft, Element element) {
+double measured_error_of(const Draft& draft, const RowShape& stored) {
   const RowShape plain = draft.row_shape();
-  RowShape stored = plain;
-  stored.numbers.storage.element = element;
   const Measurement& measurement = *draft.measurement;
   return difference(draft, radiances_of(draft, measurement.kept(draft.many, stored), stored),
                     radiances_of(draft, measurement.kept(draft.many, plain), plain));
+}
+
+double measured_error_of(const Draft& draft, Element element) {
+  RowShape stored = draft.row_shape();
+  stored.numbers.storage.element = element;
+  return measured_error_of(draft, stored);
 }
 
 double floor_of_directions(Draft& draft) {

@@ -70,11 +70,12 @@ PlanCost Draft::cost() const {
 TransferShape Draft::shape() const {
   TransferShape shape = bake.kind->shape(bake.degree);
   shape.storage = plan.storage;
-  return shape;
+  return bake.kind->stores_visibility() ? with_bands(shape, bake.keep) : shape;
 }
 
 RowShape Draft::stored_shape(ClusterCounts counts) const {
   RowShape stored(*bake.kind, scene.mesh, bake.degree);
+  if (stored.matrices) stored.matrices = with_bands(*stored.matrices, bake.keep);
   stored.numbers = shape();
   if (counts.clusters == 0) return stored;
   Element& element = stored.numbers.storage.element;

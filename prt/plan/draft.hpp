@@ -91,9 +91,13 @@ void decide_analytic(Draft& draft);
 void decide_bounces(Draft& draft);
 void decide_channels(Draft& draft);
 void decide_bands(Draft& draft);
+void decide_matrices(Draft& draft);
+void decide_visibility(Draft& draft);
 void decide_symmetry(Draft& draft);
 void decide_storage(Draft& draft);
-/// The error that an element of the numbers makes, measured.
+/// The error that a file makes that keeps the rows so far in this shape, measured.
+double measured_error_of(const Draft& draft, const RowShape& stored);
+/// The same of an element of the numbers.
 double measured_error_of(const Draft& draft, Element element);
 /// Only where the scene asks for clusters: makes room for their error, if they take fewer bytes than rows. The bake finds
 /// the error of each of the counts.

@@ -68,17 +68,6 @@ TransferShape of_degree(TransferShape shape, int degree) {
   return shape;
 }
 
-// Appends the lower bands of numbers of shape `whole` to `low`, in the shape `part`.
-void append_lower(const float* numbers, const TransferShape& whole, const TransferShape& part,
-                  std::vector<float>& low) {
-  for (std::size_t c = 0; c < part.channels; ++c) {
-    for (std::size_t r = 0; r < part.rows(); ++r) {
-      const float* from = numbers + c * whole.count() + r * whole.columns();
-      low.insert(low.end(), from, from + part.columns());
-    }
-  }
-}
-
 // A transfer of rows, without a mesh but for its size.
 Transfer transfer_of(const std::vector<float>& rows, const RowShape& shape) {
   Transfer transfer;

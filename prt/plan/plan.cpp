@@ -66,6 +66,8 @@ constexpr std::array kSteps = {Step{"analytic", decide_analytic, true},
                                Step{"bounces", decide_bounces, false, &TransferKind::has_bounces},
                                Step{"channels", decide_channels, true},
                                Step{"bands", decide_bands, false, &TransferKind::stores_numbers},
+                               Step{"matrices", decide_matrices, false, &TransferKind::stores_matrices},
+                               Step{"visibility", decide_visibility, false, &TransferKind::stores_visibility},
                                Step{"symmetry", decide_symmetry, false, &TransferKind::is_diffuse},
                                Step{"storage", decide_storage, false, &TransferKind::stores_numbers},
                                Step{kClustersDecision, decide_clusters, false, &TransferKind::stores_numbers},
@@ -75,6 +77,10 @@ constexpr std::array kSteps = {Step{"analytic", decide_analytic, true},
 
 Plan make_plan(Scene& scene, const std::string& instruction_set) {
   const bool is_lossy = scene.plan.mode == PlanMode::kLossy;
+  if (is_lossy && scene.bake.keep != KeptBands()) {
+    throw std::invalid_argument(fmt::format(
+        "{}: keep: a plan with an error chooses the bands to keep itself; expected one of both", scene.name));
+  }
   check(scene.plan);
   Draft draft(scene, instruction_set);
   if (scene.plan.mode == PlanMode::kNone) {

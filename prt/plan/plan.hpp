@@ -8,6 +8,8 @@
 //   bounces     none, or a looser tolerance, if little light comes back
 //   channels    one, if every albedo is gray
 //   bands       a lower degree, if the omitted bands add little
+//   matrices    fewer rows or columns, if the bands of them add little (prt/transfer/kept_bands.hpp)
+//   visibility  the lower bands, if the others add little
 //   symmetry    only the coefficients that the lights have; diffuse kinds only
 //   storage     half or 8 bits
 //   clusters    those that the scene asks for, or the fewest of some counts for which the bake finds that they lose

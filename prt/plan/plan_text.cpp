@@ -65,6 +65,7 @@ std::string plan_json(const Plan& plan, const Scene& scene) {
                   {"transfer", bake.kind->word},
                   {"tolerance", bake.bounces.tolerance},
                   {"open_vertices", std::count(plan.open.begin(), plan.open.end(), std::uint8_t{1})}};
+  if (bake.kind->stores_visibility()) json["bake"]["keep"] = to_json(bake.keep.within(bake.degree), *bake.kind);
   json["storage"] = to_json(plan.storage);
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);  // a file's name may be no UTF-8
 }

@@ -5,6 +5,7 @@
 
 #include "prt/bake/glossy_exit.hpp"
 #include "prt/kinds/kinds.hpp"
+#include "prt/transfer/kept_bands.hpp"
 
 namespace sh::prt {
 
@@ -17,6 +18,13 @@ struct RowShape {
   TransferShape numbers;
   std::optional<TransferShape> matrices;
 
+  /// The same with these bands.
+  [[nodiscard]] RowShape with(const KeptBands& kept) const {
+    RowShape some = *this;
+    some.numbers = with_bands(numbers, kept);
+    if (matrices) some.matrices = with_bands(*matrices, kept);
+    return some;
+  }
   [[nodiscard]] std::size_t length() const { return numbers.length() + (matrices ? matrices->length() : 0); }
   /// The bytes that a file has for all receivers.
   [[nodiscard]] std::size_t stored_bytes(std::size_t receivers) const {

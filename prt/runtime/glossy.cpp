@@ -28,10 +28,10 @@ namespace {
 constexpr std::size_t kChannels = 3;
 constexpr std::size_t kMostCoefficients = coefficient_count(kMaxDegree);
 
-// reaching (count, 3, rows) += matrices (count, channels, rows, columns) times the light (3, columns). Every row meets
-// every channel of the light, which is faster than to leave some out.
+// reaching (count, 3, `bands`) += matrices (count, channels, rows, columns) times the light (3, columns), in the lower
+// bands. Every row meets every channel of the light, which is faster than to leave some out.
 void add_indirect(const TransferShape& shape, std::size_t count, const float* matrices, const float* light,
-                  float* reaching) {
+                  std::size_t bands, float* reaching) {
   const std::size_t rows = shape.rows();
   for_chunks(count, [&](std::size_t chunk) {
     const VertexRange range = chunk_range(chunk, count);
@@ -42,19 +42,27 @@ void add_indirect(const TransferShape& shape, std::size_t count, const float* ma
     for (std::size_t v = 0; v < range.size(); ++v) {
       for (std::size_t c = 0; c < kChannels; ++c) {
         const std::size_t first = (v * shape.channels + c % shape.channels) * rows;
-        as_array(reaching + ((range.first + v) * kChannels + c) * rows, rows) +=
+        as_array(reaching + ((range.first + v) * kChannels + c) * bands, rows) +=
             Sums(&sums[first * kChannels], Eigen::Index(rows), kChannels).col(Eigen::Index(c)).array();
       }
     }
   });
 }
 
-// values (vertices, 3, bands^2) += what the rows give; light_rows(basis, count) (count, 3, bands^2) are rows under the light.
-template <class LightRows>
-void add_clusters(const Clusters& clusters, const LightRows& light_rows, std::vector<float>& values) {
-  const LitClusters lit(clusters, light_rows(clusters.basis.data(), clusters.basis.size() / clusters.length));
-  const std::size_t stride = values.size() / clusters.receivers();
-  for_vertices(clusters.receivers(), [&](std::size_t v) { lit.add_to(v, values.data() + v * stride); });
+// values (vertices, 3, bands^2) += what the rows give, in the lower bands; lit (rows of clusters, 3, `given`) are rows
+// under the light.
+void add_clusters(const Clusters& clusters, const std::vector<float>& lit, std::size_t given,
+                  std::vector<float>& values) {
+  const LitClusters rows(clusters, lit);
+  const std::size_t bands = values.size() / clusters.receivers() / kChannels;
+  for_vertices(clusters.receivers(), [&](std::size_t v) {
+    std::array<float, kChannels * kMostCoefficients> sums;
+    std::fill_n(sums.begin(), kChannels * given, 0.0F);
+    rows.add_to(v, sums.data());
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      as_array(values.data() + (v * kChannels + c) * bands, given) += as_array(sums.data() + c * given, given);
+    }
+  });
 }
 
 Eigen::Vector3f summed(int degree, const float* lobe, const float* reaching) {
@@ -76,28 +84,31 @@ TransferredRadiance::TransferredRadiance(const Transfer& transfer, const LightCo
   values_ = wide;
   if (transfer.shape.meets == Meets::kNothing) return;
   const std::size_t vertices = transfer.mesh.positions.size();
+  const std::size_t bands = coefficient_count(degree_);
   stride_ = wide.size();
-  const auto seen = [&](const float* visibility, std::size_t count) {
+  const auto seen = [&](const std::vector<float>& visibility, std::size_t count) {
     std::vector<float> out(count * stride_);
-    times_visibility(degree_, count, visibility, prepared_light(degree_, wide.data()), out.data());
-    return out;
-  };
-  const auto reflected = [&](const float* matrices, std::size_t count, std::vector<float> out) {
-    add_indirect(transfer.indirect_shape, count, matrices, wide.data(), out.data());
+    times_visibility(degree_, count, visibility.data(), prepared_light(degree_, wide.data()), out.data());
     return out;
   };
   if (transfer.clusters.empty()) {
-    values_ = seen(transfer.coefficients.data(), vertices);
+    values_ = seen(transfer.coefficients, vertices);
   } else {
+    const std::vector<float>& basis = transfer.clusters.basis;
     values_.assign(vertices * stride_, 0.0F);
-    add_clusters(transfer.clusters, seen, values_);
+    add_clusters(transfer.clusters, seen(basis, basis.size() / transfer.clusters.length), bands, values_);
   }
-  if (!transfer.indirect.empty()) values_ = reflected(transfer.indirect.data(), vertices, std::move(values_));
+  const TransferShape& shape = transfer.indirect_shape;
+  const std::vector<float> low = in_single(first_bands(light, std::min(light.degree, shape.degree)), shape.degree);
+  if (!transfer.indirect.empty()) {
+    add_indirect(shape, vertices, transfer.indirect.data(), low.data(), bands, values_.data());
+  }
   if (!transfer.indirect_clusters.empty()) {
-    const auto alone = [&](const float* matrices, std::size_t count) {
-      return reflected(matrices, count, std::vector<float>(count * stride_, 0.0F));
-    };
-    add_clusters(transfer.indirect_clusters, alone, values_);
+    const std::vector<float>& basis = transfer.indirect_clusters.basis;
+    const std::size_t count = basis.size() / transfer.indirect_clusters.length;
+    std::vector<float> lit(count * kChannels * shape.rows(), 0.0F);
+    add_indirect(shape, count, basis.data(), low.data(), shape.rows(), lit.data());
+    add_clusters(transfer.indirect_clusters, lit, shape.rows(), values_);
   }
   if (!std::all_of(values_.begin(), values_.end(), [](float value) { return std::isfinite(value); })) {
     throw std::runtime_error(

@@ -144,7 +144,7 @@ void require_light(const Transfer& transfer, const LightCoefficients& light) {
 void require_kept(const Transfer& transfer, const LightCoefficients& light) {
   constexpr double kRounding = 1e-6;
   const std::vector<std::uint32_t>& kept = transfer.shape.storage.kept;
-  if (kept.empty() || light.values.empty()) return;
+  if (kept.empty() || light.values.empty() || transfer.shape.meets != Meets::kDot) return;
   const auto louder = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const double largest = std::abs(*std::max_element(light.values.begin(), light.values.end(), louder));
   for (std::size_t i = 0; i < light.values.size(); ++i) {

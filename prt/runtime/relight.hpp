@@ -20,7 +20,7 @@ namespace sh::prt {
 
 /// Throws std::invalid_argument if the light needs a column that the transfer was stored without: a coefficient of the
 /// light there is larger than rounding (1e-6 of the light's largest coefficient). The light has the degree of the
-/// transfer.
+/// transfer. Columns of visibility are those of no single coefficient: any light may come.
 void require_kept(const Transfer& transfer, const LightCoefficients& light);
 
 /// The same, and also if the light has a higher degree than the transfer.

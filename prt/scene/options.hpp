@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "prt/names.hpp"
+#include "prt/transfer/kept_bands.hpp"
 #include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
@@ -32,6 +33,7 @@ struct BakeOptions {
   std::uint32_t seed = 0;  // of the sampler, 0..kMaxSeed
   const TransferKind* kind = &kShadowed;
   BounceOptions bounces = {};     // interreflected only
+  KeptBands keep = {};            // glossy kinds that trace rays only
   ClusterCounts compress = {};    // without clusters: rows as they are
   bool compress_by_plan = false;  // in place of `compress`: a plan with an error chooses the counts
   bool fit_lobes = false;         // glossy kinds only: lobes in place of BRDFs
@@ -43,8 +45,8 @@ enum class LightTurns { kNone, kAboutZ, kAny };
 inline constexpr std::array<std::string_view, 3> kLightTurnsNames = {"none", "about_z", "any"};
 constexpr std::string_view name_of(LightTurns turns) { return word_of(turns, kLightTurnsNames); }
 
-inline constexpr std::array<std::string_view, 7> kDecisionNames = {"analytic", "bounces", "channels",  "bands",
-                                                                   "symmetry", "storage", "directions"};
+inline constexpr std::array<std::string_view, 9> kDecisionNames = {
+    "analytic", "bounces", "channels", "bands", "matrices", "visibility", "symmetry", "storage", "directions"};
 
 /// kExact: leaves out only work that changes no number under any light. kLossy: also leaves out numbers, as long as the
 /// error under the declared lights stays within `PlanOptions::error`.

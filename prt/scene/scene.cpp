@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "prt/basis.hpp"
 #include "prt/mesh/import_mesh.hpp"
 #include "prt/mesh/weld.hpp"
 #include "prt/rays/directions.hpp"
@@ -77,8 +78,21 @@ Camera read_camera(const JsonReader& reader, const Camera& otherwise) {
   return camera;
 }
 
+namespace {
+
+KeptBands read_kept_bands(const JsonReader& reader) {
+  reader.allow({"visibility", "result", "light"});
+  KeptBands kept;
+  reader.take("visibility", kept.visibility, &JsonReader::integer, 0, 2 * kHighestProduct);
+  reader.take("result", kept.result, &JsonReader::integer, 0, kHighestProduct);
+  reader.take("light", kept.light, &JsonReader::integer, 0, kHighestProduct);
+  return kept;
+}
+
+}  // namespace
+
 BakeOptions read_bake_options(const JsonReader& reader) {
-  reader.allow({"degree", "directions", "sampler", "seed", "transfer", "tolerance", "compress", "fit_lobes"});
+  reader.allow({"degree", "directions", "sampler", "seed", "transfer", "tolerance", "keep", "compress", "fit_lobes"});
   BakeOptions options;
   reader.take("degree", options.degree, &JsonReader::integer, 0, kMaxDegree);
   reader.take("directions", options.directions, &JsonReader::integer, 1, kMaxDirections);
@@ -89,6 +103,7 @@ BakeOptions read_bake_options(const JsonReader& reader) {
     return find_kind(&TransferKind::word, value.one_of(kind_names(&TransferKind::word)));
   });
   reader.take("fit_lobes", options.fit_lobes, &JsonReader::boolean);
+  reader.take("keep", options.keep, read_kept_bands);
   reader.take("compress", options.compress, [&](const JsonReader& value) {
     options.compress_by_plan = value.is("string");
     if (options.compress_by_plan) {

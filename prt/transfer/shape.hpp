@@ -37,7 +37,8 @@ constexpr std::size_t bytes_of(Element element) {
 struct Storage {
   Element element = Element::kSingle;
   bool one_channel = false;         // one channel is stored for all channels, which are equal
-  std::vector<std::uint32_t> kept;  // columns, ascending; empty: all. No light may need the others
+  std::vector<std::uint32_t> kept;  // columns, ascending; empty: all. The others are zeros, which no light of a shape
+                                    // that meets it by `dot` may need
   std::uint32_t clusters = 0;       // 0: a row for each receiver
   std::uint32_t vectors = 0;        // of a cluster, besides its mean; a receiver has so many 8-bit weights
   [[nodiscard]] bool is_clustered() const { return clusters > 0; }

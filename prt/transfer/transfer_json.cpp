@@ -190,7 +190,7 @@ TransferShape shape_from(const nlohmann::json& header, std::uint32_t version, co
   return shape;
 }
 
-// The degree of the matrices is that of the light.
+// Rows and columns tell the degrees of the matrices.
 void put_indirect(const TransferShape& shape, Json& header) {
   header["indirect"] = {{"channels", shape.channels},
                         {"rows", shape.rows()},
@@ -199,16 +199,24 @@ void put_indirect(const TransferShape& shape, Json& header) {
   put_clusters(shape.storage, header["indirect"]);
 }
 
+// The degree, `highest` at most, that so many coefficients have; -1 if there is none.
+int degree_of(const nlohmann::json& count, int highest) {
+  int degree = highest;
+  while (degree >= 0 && count != coefficient_count(degree)) --degree;
+  return degree;
+}
+
 TransferShape indirect_from(const nlohmann::json& json, const TransferKind& kind, int degree) {
   TransferShape shape = kind.indirect(degree);
   shape.channels = whole_from<std::size_t>(json.at("channels"), 1, 3);
+  shape.result_degree = degree_of(json.at("rows"), degree);
+  shape.degree = degree_of(json.at("columns"), degree);
   const std::string_view element = word_of(shape.storage.element, kElementNames);
-  if (shape.channels == 2 || json.at("rows") != shape.rows() || json.at("columns") != shape.columns() ||
-      json.at("element") != element) {
+  if (shape.channels == 2 || shape.result_degree < 0 || shape.degree < 0 || json.at("element") != element) {
     throw std::invalid_argument(
-        fmt::format("transfer file with indirect matrices of {} x {} x {} {}, expected 1 or 3 x {} x {} {}",
+        fmt::format("transfer file with indirect matrices of {} x {} x {} {}, expected 1 or 3 x squares of 1 to {} {}",
                     json.at("channels").dump(), json.at("rows").dump(), json.at("columns").dump(),
-                    json.at("element").dump(), shape.rows(), shape.columns(), element));
+                    json.at("element").dump(), degree + 1, element));
   }
   take_clusters(json, shape.storage);
   return shape;
@@ -287,6 +295,14 @@ Json to_json(const Storage& storage) {
                {"one_channel", storage.one_channel},
                {"kept", storage.kept}};
   put_clusters(storage, json);
+  return json;
+}
+
+Json to_json(const KeptBands& kept, const TransferKind& kind) {
+  Json json = {{"visibility", kept.visibility}};
+  if (!kind.stores_matrices()) return json;
+  json["result"] = kept.result;
+  json["light"] = kept.light;
   return json;
 }
 

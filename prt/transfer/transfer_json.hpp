@@ -3,12 +3,15 @@
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 
+#include "prt/transfer/kept_bands.hpp"
 #include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
 
 nlohmann::ordered_json to_json(const Storage& storage);
 nlohmann::ordered_json to_json(const PlanRecord& plan);
+/// As `keep` of a scene.
+nlohmann::ordered_json to_json(const KeptBands& kept, const TransferKind& kind);
 
 /// Reads the output of transfer_header() into all of `transfer` except its mesh and numbers. `version` is the version
 /// of the file. Throws std::invalid_argument, one line without the file's name, for an inconsistent header, and

@@ -1,9 +1,10 @@
 // What plans promise and what they cost: for error limits .1, .03 and .01, the stated error of `prt plan` against the
-// error measured with 16 times the directions over eight turns of the light, and the rays that the plan prints against
-// those that its bake traces. Minutes a scene; `glossy` and `lobes` are the glossy scene in coarse, without and with bounces. Usage: plan_bench [--keep FOLDER] [--directions N]
-// [--turns none|about_z|any] [demo|real|room|gltf|glossy|lobes]..., by default all scenes. The folder keeps the bakes with 16 times
-// the directions for the next run; N and the turns of the light replace the scene's. Exit 0 if every measured error is at
-// most the stated one, and every stated one at most 4 times it (with bounces 6 times).
+// error measured with 16 times the directions over eight turns of the light, the rays that the plan prints against those
+// that its bake traces, and its bytes a vertex. Minutes a scene; `glossy` and `lobes` are the glossy scene in coarse,
+// without and with bounces. Usage: plan_bench [--keep FOLDER] [--directions N] [--turns none|about_z|any]
+// [demo|real|room|gltf|glossy|lobes]..., by default all scenes. The folder keeps the bakes with 16 times the directions
+// for the next run; N and the turns of the light replace the scene's. Exit 0 if every measured error is at most the
+// stated one, and every stated one at most 4 times it (with bounces 6 times).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 
 #include "numeric/output/stopwatch.hpp"
 #include "prt/scene/scene.hpp"
+#include "prt/transfer/kept_bands.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "tests/prt/plan_promise.hpp"
 
@@ -65,6 +67,15 @@ Scene scene_called(const std::string& word) {
   return load_scene(word, OnFlaw::kMend);
 }
 
+// The bands that glossy transfer keeps.
+std::string bands_text(const Transfer& transfer) {
+  if (!transfer.kind->stores_visibility()) return "";
+  const KeptBands kept = kept_by(transfer);
+  const std::string visibility = fmt::format(", visibility to {}", kept.visibility);
+  if (!transfer.kind->stores_matrices()) return visibility;
+  return fmt::format("{}, {} x {}", visibility, transfer.indirect_shape.rows(), transfer.indirect_shape.columns());
+}
+
 // Prints one line; true if the promise is kept.
 bool keeps_promise(const Scene& scene, const Transfer& reference, double error) {
   const PlanOptions options{.mode = PlanMode::kLossy, .error = error, .turns = scene.plan.turns};
@@ -80,11 +91,12 @@ bool keeps_promise(const Scene& scene, const Transfer& reference, double error) 
     const double measured = test::measured_error(scene, planned, reference, options.turns, job.plan->reference);
     const double loosest = scene.bake.kind->has_bounces() ? kLoosestBounces : kLoosest;
     const bool kept = measured <= stated && stated <= loosest * measured && stated <= error;
-    fmt::print("  {:<6g}{:>10.2g}{:>10.2g}{:>8.2f}{:>10.2f}{:>10.2f}{:>8.1f}{:>8.1f}  {} {} {} {}{}\n", error, stated,
-               measured, stated / measured, static_cast<double>(job.plan->planned.rays) * 1e-6,
-               static_cast<double>(report.rays) * 1e-6, plan_seconds, bake_seconds, planned.kind->letters,
-               planned.degree(), planned.directions, word_of(planned.shape.storage.element, kElementNames),
-               kept ? "" : "  BROKEN");
+    fmt::print("  {:<6g}{:>10.2g}{:>10.2g}{:>8.2f}{:>10.2f}{:>10.2f}{:>8.1f}{:>8.1f}{:>8.1f}  {} {} {} {}{}{}\n", error,
+               stated, measured, stated / measured, static_cast<double>(job.plan->planned.rays) * 1e-6,
+               static_cast<double>(report.rays) * 1e-6, plan_seconds, bake_seconds,
+               static_cast<double>(job.plan->planned.bytes) / static_cast<double>(scene.mesh.positions.size()),
+               planned.kind->letters, planned.degree(), planned.directions,
+               word_of(planned.shape.storage.element, kElementNames), bands_text(planned), kept ? "" : "  BROKEN");
     return kept;
   } catch (const std::invalid_argument& refusal) {
     fmt::print("  {:<6g}refused: {}\n", error, refusal.what());
@@ -136,8 +148,8 @@ bool measure(const std::string& word, const Options& options) {
   const Transfer reference = reference_of(word, scene, options.keep);
   fmt::print("{}: {} vertices, {}, {} directions against {}\n", word, scene.mesh.positions.size(),
              scene.bake.kind->word, scene.bake.directions, reference.directions);
-  fmt::print("  {:<6}{:>10}{:>10}{:>8}{:>10}{:>10}{:>8}{:>8}\n", "limit", "stated", "measured", "ratio", "M planned",
-             "M traced", "plan s", "bake s");
+  fmt::print("  {:<6}{:>10}{:>10}{:>8}{:>10}{:>10}{:>8}{:>8}{:>8}\n", "limit", "stated", "measured", "ratio",
+             "M planned", "M traced", "plan s", "bake s", "bytes");
   bool kept = true;
   for (const double error : {0.1, 0.03, 0.01}) kept = keeps_promise(scene, reference, error) && kept;
   std::fflush(stdout);

@@ -35,6 +35,12 @@ inline std::vector<EmittedCase> clustered_cases() {
   add("clusters_bounces", with_lobes(kGlossyInterreflected, 2, 33, matrices(2, 3, Element::kSingle)), {3, 4});
   add("clusters_bounces_gray", with_lobes(kGlossyInterreflected, 1, 18, matrices(1, 1, Element::kHalf)), {2, 2},
       {0, 2});
+  const auto bounces = [](std::size_t channels, const KeptBands& kept) {
+    return keeping(with_lobes(kGlossyInterreflected, 2, 33, matrices(2, channels, Element::kSingle)), kept);
+  };
+  add("clusters_few_columns", bounces(3, {4, 2, 1}), {3, 4});
+  add("clusters_few_rows", bounces(1, {3, 1, 2}), {2, 3});
+  add("clusters_kept", keeping(with_lobes(kGlossyShadowed, 3, 21), {4}), {2, 5});
   return all;
 }
 

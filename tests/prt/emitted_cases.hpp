@@ -7,6 +7,7 @@
 
 #include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
+#include "prt/transfer/kept_bands.hpp"
 #include "prt/transfer/storage.hpp"
 #include "tests/prt/lights.hpp"
 
@@ -52,6 +53,30 @@ inline TransferShape matrices(int degree, std::size_t channels, Element element)
   return shape;
 }
 
+inline Transfer keeping(Transfer transfer, const KeptBands& kept) {
+  keep_bands(kept, transfer);
+  return transfer;
+}
+
+/// Visibility of fewer bands, and matrices of fewer rows or columns.
+inline void add_kept_cases(std::vector<EmittedCase>& all) {
+  const auto visibility = [](int degree, Element element, int band) {
+    Transfer transfer = keeping(with_lobes(kGlossyShadowed, degree, 19), {band});
+    return stored(transfer, element, transfer.shape.storage.kept);
+  };
+  all.push_back({"kept_half", visibility(4, Element::kHalf, 6)});
+  all.push_back({"kept_byte", visibility(3, Element::kByte, 2)});
+  all.push_back({"kept_single_zonal", visibility(2, Element::kSingle, 3), {0, 2, 6}});
+  all.push_back({"kept_constant", visibility(1, Element::kSingle, 0)});
+  const auto bounces = [](int degree, std::size_t channels, Element element, const KeptBands& kept) {
+    return keeping(with_lobes(kGlossyInterreflected, degree, 17, matrices(degree, channels, element)), kept);
+  };
+  all.push_back({"few_columns", bounces(4, 3, Element::kHalf, {8, 4, 2})});
+  all.push_back({"few_rows", bounces(2, 3, Element::kSingle, {4, 1, 2})});
+  all.push_back({"few_rows_gray", bounces(3, 1, Element::kHalf, {3, 0, 3})});
+  all.push_back({"few_columns_gray_zonal", bounces(2, 1, Element::kSingle, {4, 2, 1}), {0, 2, 6}});
+}
+
 inline std::vector<EmittedCase> emitted_cases() {
   std::vector<EmittedCase> all;
   all.push_back({"one_vertex", random_transfer(kShadowed, 0, 1)});
@@ -80,12 +105,14 @@ inline std::vector<EmittedCase> emitted_cases() {
   all.push_back({"bounces", with_lobes(kGlossyInterreflected, 1, 17, matrices(1, 3, Element::kSingle))});
   all.push_back(
       {"bounces_gray_zonal", with_lobes(kGlossyInterreflected, 2, 17, matrices(2, 1, Element::kHalf)), {0, 2, 6}});
+  add_kept_cases(all);
   return all;
 }
 
 inline LightCoefficients light_of(const EmittedCase& one) {
   LightCoefficients light = random_light(one.transfer.degree(), 77);
-  const std::vector<std::uint32_t>& kept = one.light.empty() ? one.transfer.shape.storage.kept : one.light;
+  std::vector<std::uint32_t> kept = one.light;
+  if (kept.empty() && one.transfer.shape.meets == Meets::kDot) kept = one.transfer.shape.storage.kept;
   for (std::size_t i = 0; !kept.empty() && i < light.values.size(); ++i) {
     const auto index = static_cast<std::uint32_t>(i % light.bands_squared());
     if (std::find(kept.begin(), kept.end(), index) == kept.end()) light.values[i] = 0.0;

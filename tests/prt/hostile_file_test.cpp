@@ -242,7 +242,7 @@ TEST_F(HostileFile, HasTheMatricesOfItsKindAndNoOthers) {
   write_transfer(file_, baked(mesh, &kGlossyInterreflected, 64, 1));
   good_ = read_all(file_);
   EXPECT_EQ(refusal(good_), "");
-  const std::string expected = ", expected 1 or 3 x 4 x 4 half";
+  const std::string expected = ", expected 1 or 3 x squares of 1 to 2 half";
   EXPECT_EQ(with_header("    \"rows\": 4,", "    \"rows\": 9,"),
             "transfer file with indirect matrices of 1 x 9 x 4 \"half\"" + expected);
   EXPECT_EQ(with_header("    \"channels\": 1,", "    \"channels\": 2,"),

@@ -45,9 +45,9 @@ TEST(MakePlan, TakesTheDecisionsThatItsModeAndKindAllow) {
             (Names{"analytic", "bounces", "channels", "bands", "symmetry", "storage", "directions"}));
   EXPECT_EQ(taken(&kGlossyUnshadowed, PlanMode::kLossy), (Names{"analytic", "channels"})) << "it stores nothing";
   EXPECT_EQ(taken(&kGlossyShadowed, PlanMode::kLossy),
-            (Names{"analytic", "channels", "bands", "storage", "directions"}));
+            (Names{"analytic", "channels", "bands", "visibility", "storage", "directions"}));
   EXPECT_EQ(taken(&kGlossyInterreflected, PlanMode::kLossy),
-            (Names{"analytic", "bounces", "channels", "bands", "storage", "directions"}));
+            (Names{"analytic", "bounces", "channels", "bands", "matrices", "visibility", "storage", "directions"}));
 }
 
 TEST(MakePlan, ChangesTheBakeOfTheSceneToFollowItWithinTheBudget) {
@@ -166,7 +166,8 @@ TEST(MakePlan, RefusesErrorsOutOfRangeAndNamesOfNoDecision) {
   EXPECT_EQ(said(1e-3, {"bands", "storage"}), "");
   for (const PlanMode mode : {PlanMode::kNone, PlanMode::kExact, PlanMode::kLossy}) {
     EXPECT_EQ(said(0.1, {"bands", "colour"}, mode),
-              "decision colour: expected one of analytic, bounces, channels, bands, symmetry, storage, directions");
+              "decision colour: expected one of analytic, bounces, channels, bands, matrices, visibility, symmetry, "
+              "storage, directions");
   }
 }
 

@@ -8,6 +8,7 @@
 #include "numeric/oracle/zonal.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/light.hpp"
+#include "prt/plan/plan.hpp"
 #include "prt/plan/views.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/transfer/storage.hpp"
@@ -322,6 +323,7 @@ TEST(GlossyPlan, StaysWithinItsBudgetAndSavesBytesAndRays) {
     const Transfer planned = bake(job, &report);
     EXPECT_EQ(planned.shape.storage.element, plan.storage.element);
     EXPECT_EQ(planned.plan.decisions.size(), plan.record.decisions.size());
+    EXPECT_EQ(kept_by(planned), job.scene.bake.keep.within(planned.degree()));
     const Transfer reference = full_bake(scene, 16 * scene.bake.directions);
     const double measured = measured_error(scene, stored(planned), reference, scene.plan.turns, plan.reference);
     EXPECT_LE(measured, plan.record.error) << kind->word;
@@ -330,6 +332,130 @@ TEST(GlossyPlan, StaysWithinItsBudgetAndSavesBytesAndRays) {
         (planned.indirect.empty() ? 0 : planned.indirect_shape.stored_bytes(scene.mesh.positions.size()));
     EXPECT_EQ(plan.planned.bytes, static_cast<std::int64_t>(bytes)) << kind->word;
   }
+}
+
+/// The errors of the probe's rows with zeros in place of what lies beyond these bands, over those of the rows.
+double error_with_zeros(const Draft& draft, const KeptBands& kept) {
+  const RowShape shape = draft.traced_shape();
+  const std::size_t visibility = shape.numbers.length();
+  const std::size_t n = shape.numbers.meets == Meets::kOperator ? coefficient_count(draft.asked.degree) : 0;
+  std::vector<float> rows = draft.many;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t at = i % shape.length();
+    const std::size_t entry = at - visibility;
+    const bool beyond =
+        at < visibility ? at >= coefficient_count(kept.visibility)
+                        : entry % n >= coefficient_count(kept.light) || entry / n % n >= coefficient_count(kept.result);
+    if (beyond) rows[i] = 0.0F;
+  }
+  Measurement::Radiances lost = draft.measurement->radiances(rows, shape);
+  const Measurement::Radiances whole = draft.measurement->radiances(draft.many, shape);
+  for (std::size_t i = 0; i < lost.size(); ++i) lost[i] -= whole[i];
+  return draft.measurement->error(lost);
+}
+
+/// Bands, and the numbers that a row has with them.
+struct Candidate {
+  KeptBands kept;
+  std::size_t numbers;
+  double error;
+};
+
+/// Budgets between errors, below and above all of them.
+std::vector<double> budgets_between(const std::vector<Candidate>& all, double part) {
+  std::vector<double> errors;
+  for (const Candidate& one : all) errors.push_back(one.error);
+  std::sort(errors.begin(), errors.end());
+  std::vector<double> budgets = {0.5 * errors.front() / part, 2.0 * errors.back() / part};
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    if (errors[i] > 1.02 * errors[i - 1]) budgets.push_back(std::sqrt(errors[i] * errors[i - 1]) / part);
+  }
+  return budgets;
+}
+
+/// Takes a decision for each budget: that of the fewest numbers whose error is within its part.
+void expect_fewest(Draft& draft, void (*decide)(Draft& draft), const std::vector<Candidate>& all, double part) {
+  const auto vertices = static_cast<std::int64_t>(draft.starts.size());
+  const std::size_t whole = draft.row_shape().stored_bytes(draft.starts.size());
+  for (const double budget : budgets_between(all, part)) {
+    draft.bake.keep = {};
+    draft.left = budget;
+    draft.start();
+    decide(draft);
+    const Candidate* best = nullptr;
+    for (const Candidate& one : all) {
+      if (one.error > part * budget || (best != nullptr && best->numbers < one.numbers)) continue;
+      if (best == nullptr || one.numbers < best->numbers || one.error < best->error) best = &one;
+    }
+    const Decision& taken = last(draft);
+    if (best == nullptr) {
+      EXPECT_EQ(draft.bake.keep, KeptBands()) << taken.choice;
+      EXPECT_EQ(taken.error, 0.0);
+      EXPECT_EQ(taken.bytes_saved, 0);
+      continue;
+    }
+    const KeptBands found = draft.bake.keep.within(draft.bake.degree);
+    EXPECT_EQ(found, best->kept.within(draft.bake.degree)) << taken.choice;
+    EXPECT_NEAR(taken.error, best->error, 1e-3 * best->error) << taken.choice;
+    EXPECT_EQ(taken.basis, "measured");
+    EXPECT_EQ(taken.bytes_saved, static_cast<std::int64_t>(whole - draft.row_shape().stored_bytes(vertices)));
+    EXPECT_GT(taken.bytes_saved, 0);
+    EXPECT_EQ(draft.left, budget - taken.error);
+  }
+}
+
+TEST(GlossyPlan, KeepsTheFewestBandsOfTheVisibilityThatTheBudgetAllows) {
+  for (const TransferKind* kind : {&kGlossyShadowed, &kGlossyInterreflected}) {
+    const Scene scene = glossy_scene(kind);
+    Draft draft(scene, kBestSet);
+    begin_measuring(draft, bright_light(2), 1.0);
+    std::vector<Candidate> all;
+    for (int band = 0; band < 4; ++band) {
+      all.push_back({{band}, coefficient_count(band), error_with_zeros(draft, {band})});
+    }
+    expect_fewest(draft, decide_visibility, all, 0.2);
+  }
+}
+
+TEST(GlossyPlan, KeepsTheFewestNumbersOfMatricesThatTheBudgetAllows) {
+  const Scene scene = glossy_scene(&kGlossyInterreflected);
+  Draft draft(scene, kBestSet);
+  begin_measuring(draft, bright_light(2), 1.0);
+  std::vector<Candidate> all;
+  for (int i = 0; i < 8; ++i) {
+    const KeptBands kept{4, i / 3, i % 3};
+    all.push_back({kept, coefficient_count(i / 3) * coefficient_count(i % 3), error_with_zeros(draft, kept)});
+  }
+  expect_fewest(draft, decide_matrices, all, 0.3);
+}
+
+TEST(GlossyPlan, HasNothingToLeaveOutOfOneBandOrOfNoMatrices) {
+  Scene scene = glossy_scene(&kGlossyInterreflected, 1.0, 0);
+  Draft draft(scene, kBestSet);
+  begin_measuring(draft, bright_light(0), 100.0);
+  decide_matrices(draft);
+  EXPECT_EQ(last(draft).why, "they have one number a channel");
+  decide_visibility(draft);
+  EXPECT_EQ(last(draft).why, "there is one band");
+  EXPECT_EQ(draft.bake.keep, KeptBands());
+  draft.bake.kind = &kGlossyShadowed;
+  decide_matrices(draft);
+  EXPECT_EQ(last(draft).choice, "none");
+}
+
+// Black surfaces send nothing, whatever their matrices are.
+TEST(GlossyPlan, KeepsOneNumberOfTheMatricesOfBlackSurfaces) {
+  Scene scene = glossy_scene(&kGlossyInterreflected, 0.1);
+  scene.mesh = polished(bowl({0.0F, 0.0F, 0.0F}), 0.0F, 0.0F, 4.0F);
+  for (std::size_t v = 0; v < scene.mesh.positions.size(); v += 9) scene.mesh.specular[v].setConstant(1e-3F);
+  scene.plan.without = {"bounces", "bands", "directions"};
+  const BakeJob job = planned_as(scene, scene.plan);
+  EXPECT_EQ(job.scene.bake.keep.result, 0);
+  EXPECT_EQ(job.scene.bake.keep.light, 0);
+  const Transfer planned = bake(job);
+  EXPECT_EQ(planned.indirect_shape.length(), 1U);
+  EXPECT_NE(plan_text(*job.plan, job.scene).find("1 x 1 instead of 9 x 9"), std::string::npos);
+  EXPECT_NE(plan_json(*job.plan, job.scene).find("\"result\": 0"), std::string::npos);
 }
 
 TEST(GlossyPlan, LeavesBouncesOutWhereLittleComesBack) {

@@ -9,7 +9,7 @@ struct Light {
   std::vector<float> lit;  // (kClusterRows, 3, kCoefficients)
 #endif
 #if defined(SH_EMITTED_MATRIX_CLUSTERS)
-  std::vector<float> lit_matrices;  // (kMatrixClusterRows, 3, kCoefficients)
+  std::vector<float> lit_matrices;  // (kMatrixClusterRows, 3, kMatrixRows)
 #endif
 };
 
@@ -20,7 +20,7 @@ inline void direct(const Data& data, const Light& light, std::size_t block, sh::
   Lanes visibility[kRow];
   read_rows(data.rows, block, visibility);
   if constexpr (kElement == Element::kByte) {
-    for (std::size_t k = 0; k < kRow; ++k) visibility[k] = visibility[k] * Lanes(kScale[k]);
+    for (std::size_t k = 0; k < kKeptCount; ++k) visibility[kKept[k]] = visibility[kKept[k]] * Lanes(kScale[k]);
   }
 #endif
 #if defined(SH_EMITTED_APPLY)
@@ -39,24 +39,26 @@ inline void direct(const Data& data, const Light& light, std::size_t block, sh::
 }
 
 #if defined(SH_EMITTED_MATRIX_ROW)
-/// out (3, kCoefficients) += the matrices of a block of rows times the light.
-inline void add_indirect(const Data& data, const Light& light, std::size_t block, sh::emitted::Lanes* out) {
+/// The matrices of a block of rows times the light, (3, kMatrixRows).
+inline void indirect(const Data& data, const Light& light, std::size_t block, sh::emitted::Lanes* out) {
   using sh::emitted::Lanes;
-  constexpr std::size_t kSize = kMatrixChannels * kCoefficients * kCoefficients;
-  for (std::size_t row = 0; row < kCoefficients; ++row) {
-    Lanes entries[kMatrixChannels * kCoefficients];
+  constexpr std::size_t kSize = kMatrixChannels * kMatrixRows * kMatrixColumns;
+  float incident[3 * kMatrixColumns];
+  for (std::size_t i = 0; i < 3 * kMatrixColumns; ++i) {
+    incident[i] = light.values[i / kMatrixColumns * kCoefficients + i % kMatrixColumns];
+  }
+  for (std::size_t row = 0; row < kMatrixRows; ++row) {
+    Lanes entries[kMatrixChannels * kMatrixColumns];
     for (std::size_t channel = 0; channel < kMatrixChannels; ++channel) {
-      for (std::size_t i = 0; i < kCoefficients; ++i) {
+      for (std::size_t i = 0; i < kMatrixColumns; ++i) {
         read_number<kMatrixElement>(data.bytes + kMatricesAt, block, kSize,
-                                    (channel * kCoefficients + row) * kCoefficients + i,
-                                    entries[channel * kCoefficients + i]);
+                                    (channel * kMatrixRows + row) * kMatrixColumns + i,
+                                    entries[channel * kMatrixColumns + i]);
       }
     }
     Lanes rgb[3];
-    SH_EMITTED_MATRIX_ROW(entries, light.values, rgb);
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      out[channel * kCoefficients + row] = out[channel * kCoefficients + row] + rgb[channel];
-    }
+    SH_EMITTED_MATRIX_ROW(entries, incident, rgb);
+    for (std::size_t channel = 0; channel < 3; ++channel) out[channel * kMatrixRows + row] = rgb[channel];
   }
 }
 #endif
@@ -80,12 +82,11 @@ inline Light prepared(const Data& data, const float* light) {
   }
 #endif
 #if defined(SH_EMITTED_MATRIX_CLUSTERS)
-  made.lit_matrices.resize(3 * kCoefficients * kMatrixClusterRows);
+  made.lit_matrices.resize(3 * kMatrixRows * kMatrixClusterRows);
   for (std::size_t block = 0; block * sh::emitted::kBlock < kMatrixClusterRows; ++block) {
-    sh::emitted::Lanes reaching[3 * kCoefficients];
-    for (sh::emitted::Lanes& value : reaching) value = sh::emitted::Lanes(0.0F);
-    add_indirect(data, made, block, reaching);
-    keep<3 * kCoefficients>(reaching, block, kMatrixClusterRows, made.lit_matrices);
+    sh::emitted::Lanes reaching[3 * kMatrixRows];
+    indirect(data, made, block, reaching);
+    keep<3 * kMatrixRows>(reaching, block, kMatrixClusterRows, made.lit_matrices);
   }
 #endif
   static_cast<void>(data);
@@ -100,11 +101,19 @@ inline void transferred(const Data& data, const Light& light, std::size_t block,
 #else
   direct(data, light, block, out);
 #endif
+#if defined(SH_EMITTED_MATRIX_ROW)
+  sh::emitted::Lanes more[3 * kMatrixRows];
 #if defined(SH_EMITTED_MATRIX_CLUSTERS)
-  add_mixed<3 * kCoefficients, kMatrixVectors>(data.bytes + kMatrixClusterAt, data.bytes + kMatrixWeightsAt,
-                                               light.lit_matrices, block, out);
-#elif defined(SH_EMITTED_MATRIX_ROW)
-  add_indirect(data, light, block, out);
+  for (sh::emitted::Lanes& value : more) value = sh::emitted::Lanes(0.0F);
+  add_mixed<3 * kMatrixRows, kMatrixVectors>(data.bytes + kMatrixClusterAt, data.bytes + kMatrixWeightsAt,
+                                             light.lit_matrices, block, more);
+#else
+  indirect(data, light, block, more);
+#endif
+  for (std::size_t i = 0; i < 3 * kMatrixRows; ++i) {
+    const std::size_t to = i / kMatrixRows * kCoefficients + i % kMatrixRows;
+    out[to] = out[to] + more[i];
+  }
 #endif
 }
 

@@ -14,14 +14,21 @@ out vec3 radiance;  // linear; ringing may make it slightly negative
 void transferred(out float reaching[3 * COUNT]) {
 #ifdef CLUSTER_ROWS
     for (int i = 0; i < 3 * COUNT; ++i) reaching[i] = 0.0;
-    add_mixed(lit, CLUSTER_ROWS, cluster, weights, VECTORS, reaching);
+    add_mixed(lit, CLUSTER_ROWS, cluster, weights, VECTORS, NUMBERS, LIT_PART, reaching);
 #else
     direct(gl_VertexID, reaching);
 #endif
 #if defined(MATRIX_CLUSTER_ROWS)
-    add_mixed(lit_matrices, MATRIX_CLUSTER_ROWS, matrix_cluster, matrix_weights, MATRIX_VECTORS, reaching);
+    float more[NUMBERS];
+    for (int i = 0; i < NUMBERS; ++i) more[i] = 0.0;
+    add_mixed(lit_matrices, MATRIX_CLUSTER_ROWS, matrix_cluster, matrix_weights, MATRIX_VECTORS, 3 * MATRIX_ROWS,
+              MATRIX_LIT_PART, more);
 #elif defined(MATRIX_CHANNELS)
-    add_indirect(gl_VertexID, reaching);
+    float more[3 * MATRIX_ROWS];
+    indirect(gl_VertexID, more);
+#endif
+#ifdef MATRIX_ROWS
+    for (int i = 0; i < 3 * MATRIX_ROWS; ++i) reaching[i / MATRIX_ROWS * COUNT + i % MATRIX_ROWS] += more[i];
 #endif
 }
 

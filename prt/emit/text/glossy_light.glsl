@@ -1,6 +1,6 @@
 
-// The radiance that a row lets through, red, green, blue. Above: COUNT and, where the file has them, ROW and APPLY with
-// SAMPLES, or ROW and PRODUCT.
+// The radiance that a row lets through, red, green, blue. Above: COUNT and, where the file has them, ROW, KEPT_COUNT,
+// KEPT and APPLY with SAMPLES or PRODUCT; MATRIX_CHANNELS, MATRIX_ROWS, MATRIX_COLUMNS and MATRIX_ROW.
 
 // Coefficients of the light's radiance, red, green, blue, in the axes of the mesh.
 uniform vec3 light[COUNT];
@@ -20,11 +20,12 @@ void direct(int row, out float reaching[3 * COUNT]) {
     for (int i = 0; i < 3 * COUNT; ++i) reaching[i] = light[i % COUNT][i / COUNT];
 #ifdef ROW
     float visibility[ROW];
-    for (int k = 0; k < ROW; ++k) {
-        int i = row * ROW + k;
-        visibility[k] = texelFetch(rows, ivec2(i % 2048, i / 2048), 0).r;
+    for (int k = 0; k < ROW; ++k) visibility[k] = 0.0;
+    for (int k = 0; k < KEPT_COUNT; ++k) {
+        int i = row * KEPT_COUNT + k;
+        visibility[KEPT(k)] = texelFetch(rows, ivec2(i % 2048, i / 2048), 0).r;
 #ifdef ROW_SCALE
-        visibility[k] *= row_scale[k];
+        visibility[KEPT(k)] *= row_scale[k];
 #endif
     }
 #endif
@@ -44,20 +45,20 @@ void direct(int row, out float reaching[3 * COUNT]) {
 }
 
 #ifdef MATRIX_CHANNELS
-void add_indirect(int number, inout float reaching[3 * COUNT]) {
-    float incident[3 * COUNT];
-    for (int i = 0; i < 3 * COUNT; ++i) incident[i] = light[i % COUNT][i / COUNT];
-    for (int row = 0; row < COUNT; ++row) {
-        float entries[MATRIX_CHANNELS * COUNT];
+void indirect(int number, out float sent[3 * MATRIX_ROWS]) {
+    float incident[3 * MATRIX_COLUMNS];
+    for (int i = 0; i < 3 * MATRIX_COLUMNS; ++i) incident[i] = light[i % MATRIX_COLUMNS][i / MATRIX_COLUMNS];
+    for (int row = 0; row < MATRIX_ROWS; ++row) {
+        float entries[MATRIX_CHANNELS * MATRIX_COLUMNS];
         for (int c = 0; c < MATRIX_CHANNELS; ++c) {
-            for (int k = 0; k < COUNT; ++k) {
-                int i = ((number * MATRIX_CHANNELS + c) * COUNT + row) * COUNT + k;
-                entries[c * COUNT + k] = texelFetch(matrices, ivec2(i % 2048, i / 2048), 0).r;
+            for (int k = 0; k < MATRIX_COLUMNS; ++k) {
+                int i = ((number * MATRIX_CHANNELS + c) * MATRIX_ROWS + row) * MATRIX_COLUMNS + k;
+                entries[c * MATRIX_COLUMNS + k] = texelFetch(matrices, ivec2(i % 2048, i / 2048), 0).r;
             }
         }
         float rgb[3];
         MATRIX_ROW(entries, incident, rgb);
-        for (int c = 0; c < 3; ++c) reaching[c * COUNT + row] += rgb[c];
+        for (int c = 0; c < 3; ++c) sent[c * MATRIX_ROWS + row] = rgb[c];
     }
 }
 #endif
