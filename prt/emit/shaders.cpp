@@ -16,7 +16,7 @@ constexpr std::string_view kFormats[] = {"R32F", "R16F", "R8_SNORM"};
 void Shader::use(const EmittedKernels& kernels, std::string_view name) {
   for (const auto& use : kernels.all()) {
     if (use.macro.substr(std::string_view("SH_EMITTED_").size()) != name) continue;
-    functions += "\n" + use.kernel.text;
+    if (functions.find(use.kernel.text) == std::string::npos) functions += "\n" + use.kernel.text;  // may serve twice
     define(name, use.kernel.function);
   }
 }

@@ -171,6 +171,11 @@ TEST_F(SceneFile, IsRefusedWithABadLightCameraGroundOrOption) {
       {R"("ground": {"height": -1e20})", "/ground/height: expected a distance from the meshes of at most 1.732e+06"},
       {R"("bake": {"bounces": 3})", "/bake/bounces: unknown key, expected one of degree, directions"},
       {R"("bake": {"compress": 64})", "/bake/compress: expected an object"},
+      {R"("bake": {"keep": 3})", "/bake/keep: expected an object"},
+      {R"("bake": {"keep": {"rows": 3}})", "/bake/keep/rows: unknown key, expected one of visibility, result, light"},
+      {R"("bake": {"keep": {"visibility": 9}})", "/bake/keep/visibility: expected an integer from 0 to 8, got 9"},
+      {R"("bake": {"keep": {"result": 5}})", "/bake/keep/result: expected an integer from 0 to 4, got 5"},
+      {R"("bake": {"keep": {"light": -1}})", "/bake/keep/light: expected an integer from 0 to 4, got -1"},
       {R"("bake": {"compress": "much"})", "/bake/compress: expected one of auto, got \"much\""},
       {R"("bake": {"compress": {"clusters": 64}})", "/bake/compress: the key `vectors` is missing"},
       {R"("bake": {"compress": {"clusters": 0, "vectors": 8}})",
@@ -301,6 +306,17 @@ TEST_F(SceneFile, TakesEveryLimitOfItsOptions) {
         R"("camera": {"field_of_view": 170})", R"("plan": {"error": 1})", R"("plan": {"without": []})"}) {
     EXPECT_NO_THROW(load(R"({"meshes": [{"primitive": "box"}], )" + std::string(entry) + "}")) << entry;
   }
+}
+
+TEST_F(SceneFile, NamesTheBandsToKeep) {
+  const std::string start = R"({"meshes": [{"primitive": "plane"}])";
+  EXPECT_EQ(load(start + "}").bake.keep, KeptBands());
+  const auto kept = [&](const std::string& keep) {
+    return load(start + R"(, "bake": {"keep": )" + keep + "}}").bake.keep;
+  };
+  EXPECT_EQ(kept("{}"), KeptBands());
+  EXPECT_EQ(kept(R"({"visibility": 6, "result": 4, "light": 2})"), (KeptBands{6, 4, 2}));
+  EXPECT_EQ(kept(R"({"light": 0})"), (KeptBands{2 * kMaxDegree, kMaxDegree, 0}));
 }
 
 TEST_F(SceneFile, PlansExactlyUnlessItSaysMore) {
