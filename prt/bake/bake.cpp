@@ -115,6 +115,7 @@ Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan&
     report.rays += run.rays->tracer.rays();
     report.checkpoint = settings.checkpoint.path;
   }
+  if (run.checkpoint) report.kept = run.checkpoint->interrupted();
   return std::move(run.transfer);
 }
 
@@ -278,7 +279,12 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
   take_plan(*job.plan, transfer);
   if (wanted.kind->stores_visibility()) keep_bands(wanted.keep, transfer);
   if (wanted.compress.clusters > 0 || !job.plan->clusters.empty()) {
-    on_threads(job.settings.threads, [&] { compress_by_plan(*job.plan, wanted.compress, transfer); });
+    try {
+      on_threads(job.settings.threads, [&] { compress_by_plan(*job.plan, wanted.compress, transfer); });
+    } catch (const output::Interrupted&) {
+      if (measured.kept.empty()) throw;
+      throw output::Interrupted(measured.kept);
+    }
   }
   transfer.missing = shortfall(wanted, transfer);
   if (report != nullptr) *report = measured;

@@ -54,13 +54,15 @@ struct BakeJob {
 struct BakeReport {
   std::uint64_t rays = 0;  // all traced rays
   std::string checkpoint;  // its file, unnecessary once the result is saved; empty if there was none
+  std::string kept;        // what a stop after the rays and bounces says of the checkpoint; empty if there was none
 };
 
 /// Receives one line about the expected time of the bake, one about each fitted BRDF, and one about each change that a
 /// budget makes.
 using BakeObserver = std::function<void(const std::string& line)>;
 
-/// Returns the job with its plan, lobes in place of BRDFs if it asks for them; throws like make_plan(), and std::invalid_argument for options out of range.
+/// Returns the job with its plan, lobes in place of BRDFs if it asks for them; throws like make_plan(), and
+/// std::invalid_argument for options out of range.
 BakeJob planned(BakeJob job);
 
 /// Shows progress. Vertices that no ray can leave take their neighbors' values and are reported as a flaw. If a number

@@ -1,5 +1,6 @@
 #include "prt/material/lobe_fit.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
@@ -62,7 +63,7 @@ Eigen::Vector2d shares_of(const Stacked& target, const Stacked& first, const Sta
   Eigen::Matrix2d products;
   products << first.dot(first), first.dot(second), first.dot(second), second.dot(second);
   const Eigen::Vector2d sides(first.dot(target), second.dot(target));
-  const Eigen::Vector2d free = products.completeOrthogonalDecomposition().solve(sides);
+  Eigen::Vector2d free = products.completeOrthogonalDecomposition().solve(sides);
   if (free.minCoeff() >= 0.0) return free;
   const Eigen::Vector2d alone = sides.cwiseMax(0.0).cwiseQuotient(products.diagonal());
   const Eigen::Vector2d gains = alone.cwiseProduct(sides);  // of squares

@@ -74,7 +74,7 @@ Eigen::Vector3f summed(int degree, const float* lobe, const float* reaching) {
 }  // namespace
 
 TransferredRadiance::TransferredRadiance(const Transfer& transfer, const LightCoefficients& light)
-    : degree_(transfer.degree()), stride_(0) {
+    : degree_(transfer.degree()) {
   if (!transfer.kind->is_glossy()) {
     throw std::invalid_argument(
         fmt::format("transfer of kind {} is exit radiance; expected a glossy kind", transfer.kind->letters));

@@ -33,7 +33,7 @@ class TransferredRadiance {
 
  private:
   int degree_;
-  std::size_t stride_;  // 0: one radiance reaches every vertex
+  std::size_t stride_ = 0;  // then one radiance reaches every vertex
   std::vector<float> values_;
 };
 

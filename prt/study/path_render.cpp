@@ -114,7 +114,7 @@ class PathTracer {
   // Directions are equally distributed over the hemisphere; a table holds BRDF times cosine to its highest degree.
   static Eigen::Vector3f reflect_by_brdf(const Material& material, const Eigen::Vector3f& normal, Path& path,
                                          std::mt19937& random) {
-    const Eigen::Vector3f next = power_direction(normal, 0.0F, random);
+    Eigen::Vector3f next = power_direction(normal, 0.0F, random);
     Eigen::Vector3f reflected = Eigen::Vector3f::Zero();
     for_reflected_lobes(material.brdf, material.albedo, kMaxDegree, normal, -path.direction.normalized(),
                         [&](const Eigen::Vector3f& color, const float* weights) {

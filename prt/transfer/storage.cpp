@@ -82,7 +82,7 @@ float get(const std::byte* from, Element element, float scale) {
 Encoded encode(const std::vector<float>& numbers, const TransferShape& shape) {
   const std::size_t length = shape.length();
   const Element element = shape.storage.element;
-  if (numbers.size() % length != 0) {
+  if (length == 0 || numbers.size() % length != 0) {
     throw std::invalid_argument(fmt::format("{} numbers: expected rows of {}", numbers.size(), length));
   }
   const std::vector<Column> columns = columns_of(shape);

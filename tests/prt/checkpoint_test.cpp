@@ -263,6 +263,18 @@ TEST_P(AnyStoppedBake, BelievesNoRecordThatNamesAnotherChunk) {
 
 INSTANTIATE_TEST_SUITE_P(OfKind, AnyStoppedBake, testing::Values("shadowed", "interreflected", "glossy_shadowed"));
 
+TEST_P(StoppedShadowedBake, GoesOnAfterControlCAmongItsClustersAndSaysSo) {
+  std::vector<std::string> clustered = arguments("1");
+  clustered.insert(clustered.end(), {"--compress", "4096", "8"});
+  const Finished stopped = signal_prt(clustered, SIGINT, [&] { return size_of(part_) >= whole_part_.size(); });
+  EXPECT_EQ(stopped.status, 130) << stopped.err;
+  const std::string all = std::to_string(records_of(whole_part_).size());
+  EXPECT_NE(stopped.err.find(" holds " + all + " of " + all + " parts, and the same command goes on from there"),
+            std::string::npos)
+      << stopped.err;
+  EXPECT_EQ(go_on("2"), 0.0);
+}
+
 TEST_P(StoppedShadowedBake, StartsAfreshWhereTheCheckpointWasNotYetMade) {
   for (const std::size_t size : {0U, 7U, 24U, 100U}) {
     EXPECT_EQ(go_on_from(whole_part_.substr(0, size)), 1.0) << size;
