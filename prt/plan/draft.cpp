@@ -8,8 +8,6 @@
 
 namespace sh::prt {
 
-namespace {}  // namespace
-
 Draft::Draft(const Scene& the_scene, const std::string& the_instruction_set)
     : scene(the_scene),
       instruction_set(the_instruction_set),

@@ -68,15 +68,15 @@ TransferShape of_degree(TransferShape shape, int degree) {
   return shape;
 }
 
-// A transfer of rows, without a mesh but for its size.
-Transfer transfer_of(const std::vector<float>& rows, const RowShape& shape) {
+// A transfer of the rows of so many vertices, without a mesh but for its size.
+Transfer transfer_of(const std::vector<float>& rows, const RowShape& shape, std::size_t vertices) {
   Transfer transfer;
   transfer.kind = shape.matrices ? &kGlossyInterreflected : &kGlossyShadowed;
   transfer.shape = shape.numbers;
   transfer.shape.storage = {};
   if (shape.matrices) transfer.indirect_shape = *shape.matrices;
   const std::size_t length = shape.length();
-  transfer.mesh.positions.resize(rows.size() / length);
+  transfer.mesh.positions.resize(vertices);
   for (auto row = rows.begin(); row < rows.end(); row += static_cast<std::ptrdiff_t>(length)) {
     const auto matrix = row + static_cast<std::ptrdiff_t>(shape.numbers.length());
     transfer.coefficients.insert(transfer.coefficients.end(), row, matrix);
@@ -253,7 +253,7 @@ Measurement::Radiances Measurement::radiances(const std::vector<float>& rows, co
 }
 
 Measurement::Radiances Measurement::glossy_radiances(const std::vector<float>& rows, const RowShape& shape) const {
-  const Transfer probe = transfer_of(rows, shape);
+  const Transfer probe = transfer_of(rows, shape, part_->wanted());
   const std::size_t numbers = eyes() * kChannels;  // of a vertex
   Radiances radiances(lights_.size() * part_->wanted() * numbers);
   std::vector<TransferredRadiance> reaching;
