@@ -29,7 +29,7 @@ struct RelightCommand {
 /// The point from which glossy surfaces are seen: of the option, else the camera that a picture would have.
 Eigen::Vector3d eye_of(const RelightCommand& options, const Subject& subject, const Mesh& mesh) {
   if (options.eye.empty()) return subject.camera().value_or(default_camera(mesh, PictureSize())).position;
-  const Eigen::Vector3d eye(options.eye[0], options.eye[1], options.eye[2]);
+  Eigen::Vector3d eye(options.eye[0], options.eye[1], options.eye[2]);
   if (!eye.allFinite()) throw std::invalid_argument("--eye: expected three finite numbers");
   return eye;
 }

@@ -71,7 +71,7 @@ Scene scene_called(const std::string& word) {
 std::string bands_text(const Transfer& transfer) {
   if (!transfer.kind->stores_visibility()) return "";
   const KeptBands kept = kept_by(transfer);
-  const std::string visibility = fmt::format(", visibility to {}", kept.visibility);
+  std::string visibility = fmt::format(", visibility to {}", kept.visibility);
   if (!transfer.kind->stores_matrices()) return visibility;
   return fmt::format("{}, {} x {}", visibility, transfer.indirect_shape.rows(), transfer.indirect_shape.columns());
 }

@@ -206,8 +206,8 @@ TEST(Reflectance, BelowTheHorizonIsThatOfGrazingView) {
 TEST(Reflectance, SeesSmallAnglesOfViewToRoundings) {
   ReflectanceTable table(kReflectanceTableSize);
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const auto view = static_cast<double>(i / (kReflectionParts * even_count(kMaxDegree)));
-    table[i] = static_cast<float>(view * std::numbers::pi / 2.0 / (kViews - 1));
+    const std::size_t view = i / (kReflectionParts * even_count(kMaxDegree));
+    table[i] = static_cast<float>(static_cast<double>(view) * std::numbers::pi / 2.0 / (kViews - 1));
   }
   const Vector3d normal = Vector3d(0.3, -0.5, 0.7).normalized();
   for (const double angle : {0.0, 1e-5, 1e-4, 1e-3, 1e-2, 0.5, 1.5}) {

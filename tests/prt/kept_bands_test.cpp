@@ -184,7 +184,7 @@ TEST(KeptBands, AreRefusedWhereTheKindHasNone) {
   const auto refusal = [](const TransferKind* kind, const KeptBands& keep, PlanMode mode = PlanMode::kNone) {
     Scene scene = statue_scene(kind, keep);
     scene.plan.mode = mode;
-    const std::string said = message_of([&] { planned(BakeJob(scene)); });
+    std::string said = message_of([&] { planned(BakeJob(scene)); });
     EXPECT_EQ(said.find('\n'), std::string::npos);
     return said;
   };
@@ -211,7 +211,7 @@ class KeptFile : public testing::Test {
     std::string padded = to;
     padded.resize(from.size(), ' ');
     write_all(file_, with_checksums(bytes.replace(place, from.size(), padded), false));
-    const std::string said = message_of([&] { read_transfer(file_); });
+    std::string said = message_of([&] { read_transfer(file_); });
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
     return said;
   }
