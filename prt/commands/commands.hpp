@@ -37,6 +37,8 @@ void add_reconstruct_command(CLI::App& tool);
 void add_study_command(CLI::App& tool);
 void add_compare_command(CLI::App& tool);
 void add_grid_command(CLI::App& tool);
+void add_export_command(CLI::App& tool);
+void add_import_command(CLI::App& tool);
 void add_emit_command(CLI::App& tool);  // where the generator is built
 
 /// A requested check found a difference: the tool exits 1.

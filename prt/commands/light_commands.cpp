@@ -11,6 +11,7 @@
 #include "prt/commands/light_figure.hpp"
 #include "prt/light/sphere_extremes.hpp"
 #include "prt/names.hpp"
+#include "prt/scene/coefficients_json.hpp"
 
 namespace sh::prt {
 namespace {
@@ -88,18 +89,7 @@ void run_project(const LightCommand& options) {
   const LightCoefficients light = project_windowed(lights, options.degree, options.window, &windowed);
   Json out = described(options, lights);
   for (const Deringing& done : windowed) out["windows"].push_back(described(done));
-  out.update({{"degree", light.degree},
-              {"convention",
-               "real spherical harmonics, orthonormal on the unit sphere, no Condon-Shortley phase; "
-               "index i = l(l+1)+m; band 1 is (y, z, x)"},
-              {"axes", "z up, right-handed; pictures face +x, +y to the left (but mirror balls: to the right), +z up"},
-              {"unit", "W m^-2 sr^-1 times sqrt(sr): integral of radiance times Y_i over the sphere"},
-              {"color_space", "linear Rec. 709"},
-              {"layout", "coefficients[channel][i], channels red, green, blue"}});
-  for (int channel = 0; channel < 3; ++channel) {
-    const double* first = &light.at(channel, 0);
-    out["coefficients"].push_back(std::vector<double>(first, first + light.bands_squared()));
-  }
+  out.update(coefficients_json(light));
   print_json(out);
   report_time(stopwatch, fmt::format("projected {} on degree {}", options.light, options.degree));
 }

@@ -36,6 +36,8 @@ constexpr Command kCommands[] = {{"bake", sh::prt::add_bake_command},
                                  {"emit", sh::prt::add_emit_command},
 #endif
                                  {"grid", sh::prt::add_grid_command},
+                                 {"export", sh::prt::add_export_command},
+                                 {"import", sh::prt::add_import_command},
                                  {"compare", sh::prt::add_compare_command}};
 
 // The command that the first word names, or all of them, for the help and for messages.

@@ -62,6 +62,8 @@ Eigen::Vector3f radiance(const Light& light, const Eigen::Vector3d& direction) {
       return light.spec.radiance * (polygon_covers(light.spec.corners, local) ? 1.0F : 0.0F);
     case LightType::kEnvironment:
       return light.spec.scale * lookup(*light.image, light.spec.mapping, local);
+    case LightType::kCoefficients:
+      return radiance(light.spec.coefficients, local).cast<float>();
   }
   return Eigen::Vector3f::Zero();
 }

@@ -5,6 +5,7 @@
 //                 the scene [CIE S 011/E:2003, type 16: the traditional overcast sky]
 //   cie_sky       the other skies of the standard, with a sun position; directional: a point at infinity; cap: a disc
 //                 at infinity, or a sphere; polygon: a flat polygon (prt/light/light_shapes.hpp)
+//   coefficients  their sum, as it is: negative where it rings
 //   environment   a picture (numeric/sampling/image_mapping.hpp says where its axes are) times `scale`
 #pragma once
 #include <Eigen/Core>
@@ -22,7 +23,7 @@
 
 namespace sh::prt {
 
-enum class LightType { kConstant, kCieOvercast, kCieSky, kDirectional, kCap, kPolygon, kEnvironment };
+enum class LightType { kConstant, kCieOvercast, kCieSky, kDirectional, kCap, kPolygon, kEnvironment, kCoefficients };
 
 /// A near sphere; the cap that it covers depends on the place (seen_from).
 struct NearSphere {
@@ -43,6 +44,7 @@ struct LightSpec {
   std::vector<Eigen::Vector3d> corners = {};       // polygon: relative to `from`; polygon_flaw() accepts them
   std::optional<NearSphere> near = {};             // cap: set if it is a near sphere
   Eigen::Vector3d from = Eigen::Vector3d::Zero();  // near spheres and polygons: the point that they are seen from
+  LightCoefficients coefficients = {};             // coefficients
   std::string file = {};                           // environment: a picture (prt/image/image.hpp), path resolved
   ImageMapping mapping = ImageMapping::kLatLong;   // environment
   ColorSpace color_space = ColorSpace::kOfFile;    // environment: how its values are encoded

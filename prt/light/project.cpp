@@ -1,4 +1,5 @@
 // Projects lights without pictures on the SH basis.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -45,8 +46,19 @@ std::vector<double> project_shape(const LightSpec& spec, int degree) {
   }
 }
 
+/// The bands that both have; the bands above those of the light are zero.
+LightCoefficients in_degree(const LightCoefficients& light, int degree) {
+  LightCoefficients out = LightCoefficients::zero(degree);
+  const Eigen::Index rows = std::min(out.matrix().rows(), light.matrix().rows());
+  out.matrix().topRows(rows) = light.matrix().topRows(rows);
+  return out;
+}
+
 LightCoefficients project(const Light& light, int degree) {
   require_degree(degree);
+  if (light.spec.type == LightType::kCoefficients) {
+    return turned(in_degree(light.spec.coefficients, degree), light.rotation);
+  }
   if (light.spec.type == LightType::kEnvironment) {
     LightCoefficients out = project_image(*light.image, light.spec.mapping, degree);
     as_array(out.values) *= static_cast<double>(light.spec.scale);

@@ -11,6 +11,7 @@
 
 #include "numeric/oracle/zonal.hpp"
 #include "prt/light/light_shapes.hpp"
+#include "prt/scene/coefficients_json.hpp"
 #include "prt/scene/scene_parts.hpp"
 
 namespace sh::prt {
@@ -135,6 +136,10 @@ void read_environment(const JsonReader& reader, LightSpec& light) {
   reader.take("extract_sun", light.extract_sun, read_sun_options);
 }
 
+void read_coefficient_light(const JsonReader& reader, LightSpec& light) {
+  light.coefficients = read_coefficients(reader);
+}
+
 /// A word for `type`, the keys that it takes besides `type`, `rotate` and `window`, and the function that reads them.
 struct TypeOfLight {
   std::string_view word;
@@ -157,7 +162,8 @@ const std::vector<TypeOfLight>& types() {
       {"environment",
        LightType::kEnvironment,
        {"file", "mapping", "color_space", "scale", "exposure", "extract_sun"},
-       read_environment}};
+       read_environment},
+      {"coefficients", LightType::kCoefficients, coefficients_keys(), read_coefficient_light}};
   return kTypes;
 }
 

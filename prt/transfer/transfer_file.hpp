@@ -14,6 +14,9 @@ void write_transfer(const std::string& path, const Transfer& transfer);
 /// allocates memory. `kinds` are the accepted kinds.
 Transfer read_transfer(const std::string& path, TransferKinds kinds = transfer_kinds());
 
+/// Whether a file can be read and begins as a transfer file does.
+bool is_transfer_file(const std::string& path);
+
 /// The JSON header of the file for programs: conventions, units, kind, counts, and the meaning of the vectors.
 std::string transfer_header(const Transfer& transfer);
 

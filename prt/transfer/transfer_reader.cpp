@@ -225,6 +225,12 @@ class Reader {
 
 }  // namespace
 
+bool is_transfer_file(const std::string& path) {
+  std::array<char, layout::kMagic.size()> first{};
+  std::ifstream(path, std::ios::binary).read(first.data(), first.size());
+  return first == layout::kMagic;
+}
+
 Transfer read_transfer(const std::string& path, TransferKinds kinds) { return Reader(path, kinds).read(); }
 
 }  // namespace sh::prt

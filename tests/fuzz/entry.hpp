@@ -14,6 +14,7 @@ void run_parts(std::string_view bytes);       // the plan, bake, camera or light
 void run_table(std::string_view bytes);       // CSV for `shcheck identify` and `rotation-matrix`: its numbers
 void run_identify(std::string_view bytes);    // the same of few numbers, and the answers of both commands
 void run_image(std::string_view bytes);       // OpenEXR, Radiance, PNG, JPEG
+void run_light(std::string_view bytes);       // a light in an engine's format
 void run_report(std::string_view bytes);      // a report.json of shcheck
 void run_command(std::string_view bytes);     // a command line of prt: each byte stands for a word
 

@@ -6,6 +6,7 @@
 #include "numeric/output/parse_json.hpp"
 #include "numeric/report/report.hpp"
 #include "prt/bake/checkpoint.hpp"
+#include "prt/formats/formats.hpp"
 #include "prt/image/image.hpp"
 #include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
@@ -84,6 +85,16 @@ void read_checkpoint(const std::string& file) {
   }
 }
 
+// What is accepted has finite coefficients, and is written again.
+void read_engine_light(const std::string& file) {
+  const formats::ImportedLight imported = formats::import_light(file);
+  const auto is_number = [](double value) { return std::isfinite(value); };
+  require(std::all_of(imported.light.values.begin(), imported.light.values.end(), is_number), "a light is finite");
+  require(imported.light.degree <= imported.format->degree, "a format holds the degree of its lights");
+  require(imported.format->convention.to(imported.light).size() == imported.light.bands_squared(),
+          "all bands are there");
+}
+
 void read_picture(const std::string& file) {
   const Image image = read_image(file, OnFlaw::kMend);
   require(image.pixels.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
@@ -108,6 +119,8 @@ void run_checkpoint(std::string_view bytes) {
 }
 
 void run_image(std::string_view bytes) { run_reader(read_picture, bytes); }
+
+void run_light(std::string_view bytes) { run_reader(read_engine_light, bytes); }
 
 void run_report(std::string_view bytes) {
   run_reader([](const std::string& file) { numeric::read_report(file); }, bytes);

@@ -40,7 +40,8 @@ INSTANTIATE_TEST_SUITE_P(Each, Fuzz,
                                          Target{"scene", run_scene}, Target{"stage", run_stage},
                                          Target{"parts", run_parts}, Target{"table", run_table},
                                          Target{"identify", run_identify}, Target{"image", run_image},
-                                         Target{"report", run_report}, Target{"command", run_command}),
+                                         Target{"light", run_light}, Target{"report", run_report},
+                                         Target{"command", run_command}),
                          [](const auto& target) { return std::string(target.param.name); });
 
 }  // namespace

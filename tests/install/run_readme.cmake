@@ -16,7 +16,7 @@ function(run command)
 endfunction()
 
 set(commands "")
-foreach(page README.md codegen/README.md numeric/README.md prt/README.md)
+foreach(page README.md codegen/README.md numeric/README.md prt/README.md prt/FORMATS.md)
   file(STRINGS ${SOURCE_DIR}/${page} lines REGEX "^    build/bin/")
   list(LENGTH lines count)
   if(count LESS 6)
