@@ -38,7 +38,8 @@ constexpr Command kCommands[] = {{"bake", sh::prt::add_bake_command},
                                  {"grid", sh::prt::add_grid_command},
                                  {"export", sh::prt::add_export_command},
                                  {"import", sh::prt::add_import_command},
-                                 {"compare", sh::prt::add_compare_command}};
+                                 {"compare", sh::prt::add_compare_command},
+                                 {"splats", sh::prt::add_splats_command}};
 
 // The command that the first word names, or all of them, for the help and for messages.
 void add_commands(std::string_view first_word, CLI::App& tool) {
@@ -66,6 +67,7 @@ void require_finite_numbers(CLI::App& tool) {
     for (CLI::Option* option : command->get_options()) {
       if (option->get_type_name().starts_with("FLOAT")) option->check(flaw_of_number);
     }
+    require_finite_numbers(*command);
   }
 }
 

@@ -1,0 +1,37 @@
+// gzip streams [RFC 1952] by zlib, compressed on all threads.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sh::prt {
+
+class InputFile;
+
+/// One gzip member with the data of all parts, one after another: every reader takes it as one stream. The same bytes
+/// for any number of threads.
+std::vector<std::string> gzip(const std::vector<std::string_view>& parts);
+
+/// Inflates a file from its start. Throws std::runtime_error with one line for what is no gzip stream, is truncated,
+/// damaged (CRC-32, once the end is read) or followed by further bytes.
+class GzipReader {
+ public:
+  explicit GzipReader(const InputFile& file);
+  ~GzipReader();
+  GzipReader(const GzipReader&) = delete;
+  GzipReader& operator=(const GzipReader&) = delete;
+
+  /// The next `count` bytes; fewer only at the end of the stream.
+  std::string read(std::size_t count);
+
+ private:
+  void refill();
+  void end();
+
+  struct State;
+  const InputFile& file_;
+  State* state_;
+};
+
+}  // namespace sh::prt

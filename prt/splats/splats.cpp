@@ -1,0 +1,42 @@
+#include "prt/splats/splats.hpp"
+
+#include <algorithm>
+
+namespace sh::prt {
+namespace {
+
+template <class T>
+void keep_rows(std::vector<T>& values, std::size_t row, const std::vector<std::size_t>& rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto from = values.begin() + static_cast<std::ptrdiff_t>(rows[i] * row);
+    std::copy(from, from + static_cast<std::ptrdiff_t>(row), values.begin() + static_cast<std::ptrdiff_t>(i * row));
+  }
+  values.resize(rows.size() * row);
+}
+
+}  // namespace
+
+void SplatBlock::resize(std::size_t splats, int coefficients_degree) {
+  count = splats;
+  degree = coefficients_degree;
+  position.assign(3 * count, 0.0F);
+  normal.assign(3 * count, 0.0F);
+  rotation.assign(4 * count, 0.0F);
+  log_scale.assign(3 * count, 0.0F);
+  opacity.assign(count, 0.0F);
+  harmonics.assign(3 * bands_squared() * count, 0.0F);
+}
+
+void SplatBlock::keep(const std::vector<std::size_t>& splats) {
+  if (splats.size() == count) return;
+  keep_rows(position, 3, splats);
+  keep_rows(normal, 3, splats);
+  keep_rows(rotation, 4, splats);
+  keep_rows(log_scale, 3, splats);
+  keep_rows(opacity, 1, splats);
+  keep_rows(harmonics, 3 * bands_squared(), splats);
+  keep_rows(records, record_size, splats);
+  count = splats.size();
+}
+
+}  // namespace sh::prt
