@@ -1,6 +1,7 @@
 #include "prt/splats/convert_splats.hpp"
 
 #include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_pipeline.h>
 
 #include <algorithm>
@@ -16,8 +17,6 @@
 namespace sh::prt {
 namespace {
 
-using BlockPointer = std::shared_ptr<SplatBlock>;
-
 /// make(block) -> result on all threads, take(result) in the order of the blocks.
 template <class Result>
 void pipe_blocks(const SplatReader& reader, const std::string& what, const std::function<Result(SplatBlock&)>& make,
@@ -29,8 +28,9 @@ void pipe_blocks(const SplatReader& reader, const std::string& what, const std::
     if (next == blocks) control.stop();
     return next++;
   };
+  tbb::enumerable_thread_specific<SplatBlock> blocks_in_use;  // so that each thread allocates once
   const auto work = [&](std::size_t block_number) {
-    SplatBlock block;
+    SplatBlock& block = blocks_in_use.local();
     const std::size_t first = block_number * kSplatsPerBlock;
     reader.read(first, std::min(kSplatsPerBlock, reader.count() - first), block);
     return std::make_shared<Result>(make(block));
@@ -70,7 +70,7 @@ class Editor {
     select(block, counts, cropped);
     transform(whole_, block);
     change_degree(degree_, block);
-    require_finite_splats(reader_, block);
+    if (!whole_.is_identity()) require_finite_splats(reader_, block);
   }
 
   /// Positions alone.

@@ -13,7 +13,7 @@
 namespace sh::prt {
 
 /// Splats of one block. The same for any number of threads, so that the bytes are.
-inline constexpr std::size_t kSplatsPerBlock = 2048;
+inline constexpr std::size_t kSplatsPerBlock = 512;
 
 struct SplatEdit {
   std::optional<Eigen::AlignedBox3d> crop;  // first, in the axes and units of the input's scene

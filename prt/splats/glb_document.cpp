@@ -234,7 +234,8 @@ void read_attributes(const JsonReader& root, const JsonReader& primitive, const 
       index->expected(fmt::format("an accessor of {} splats, as POSITION has, not of {}", document.count, count));
     }
   }
-  for (const auto& [name, index] : attributes.members()) {
+  for (const auto& member : attributes.members()) {
+    const std::string& name = member.first;
     const bool is_known = std::any_of(wanted.begin(), wanted.end(), [&](const auto& a) { return a.name == name; });
     if (!is_known && name.starts_with(kSplatExtension)) {
       file.fail(

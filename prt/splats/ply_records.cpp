@@ -118,7 +118,7 @@ PlySplatMap::PlySplatMap(const std::vector<PlyProperty>& properties, std::size_t
   const auto add = [&](Places& places, const std::string& name) {
     const auto found =
         std::find_if(properties.begin(), properties.end(), [&](const auto& p) { return p.name == name; });
-    if (found != properties.end()) places.push_back({found->offset, found->type == PlyType::kDouble});
+    if (found != properties.end()) places.add({found->offset, found->type == PlyType::kDouble});
   };
   for (const char* name : {"x", "y", "z"}) add(position_, name);
   for (const char* name : {"nx", "ny", "nz"}) add(normal_, name);
@@ -126,29 +126,44 @@ PlySplatMap::PlySplatMap(const std::vector<PlyProperty>& properties, std::size_t
   for (const char* name : {"scale_0", "scale_1", "scale_2"}) add(scale_, name);
   for (const char* name : {"f_dc_0", "f_dc_1", "f_dc_2"}) add(constant_, name);
   add(opacity_, "opacity");
-  if (normal_.size() != 3) normal_.clear();
+  if (normal_.all.size() != 3) normal_ = {};
   for (std::size_t i = 0; i < 3 * (signs_.size() - 1); ++i) add(rest_, fmt::format("f_rest_{}", i));
 }
 
+void PlySplatMap::Places::add(const Place& place) {
+  is_run &= !place.is_double && (all.empty() || place.offset == all.back().offset + sizeof(float));
+  all.push_back(place);
+}
+
 void PlySplatMap::take_row(const Places& places, const char* record, float* row) {
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    if (places[k].is_double) {
+  if (places.all.empty()) return;
+  if (places.is_run) {
+    std::memcpy(row, record + places.all[0].offset, places.all.size() * sizeof(float));
+    return;
+  }
+  for (const Place& place : places.all) {
+    if (place.is_double) {
       double value = 0.0;
-      std::memcpy(&value, record + places[k].offset, sizeof value);
-      row[k] = static_cast<float>(value);
+      std::memcpy(&value, record + place.offset, sizeof value);
+      *row++ = static_cast<float>(value);
     } else {
-      std::memcpy(row + k, record + places[k].offset, sizeof(float));
+      std::memcpy(row++, record + place.offset, sizeof(float));
     }
   }
 }
 
 void PlySplatMap::put_row(const Places& places, const float* row, char* record) {
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    if (places[k].is_double) {
-      const auto value = static_cast<double>(row[k]);
-      std::memcpy(record + places[k].offset, &value, sizeof value);
+  if (places.all.empty()) return;
+  if (places.is_run) {
+    std::memcpy(record + places.all[0].offset, row, places.all.size() * sizeof(float));
+    return;
+  }
+  for (const Place& place : places.all) {
+    if (place.is_double) {
+      const auto value = static_cast<double>(*row++);
+      std::memcpy(record + place.offset, &value, sizeof value);
     } else {
-      std::memcpy(record + places[k].offset, row + k, sizeof(float));
+      std::memcpy(record + place.offset, row++, sizeof(float));
     }
   }
 }

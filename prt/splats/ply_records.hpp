@@ -40,7 +40,12 @@ class PlySplatMap {
     bool is_double;
   };
   // Numbers of one array of the block that stand in a record.
-  using Places = std::vector<Place>;
+  struct Places {
+    std::vector<Place> all;
+    bool is_run = true;  // floats, one after another
+
+    void add(const Place& place);
+  };
 
   static void take_row(const Places& places, const char* record, float* row);
   static void put_row(const Places& places, const float* row, char* record);

@@ -143,10 +143,8 @@ class PlyWriter : public SplatWriter {
   }
 
   [[nodiscard]] SplatPieces encode(const SplatBlock& block) const override {
-    std::string bytes(block.count * record_size_, '\0');
-    if (is_same_layout_) {
-      std::memcpy(bytes.data(), block.records.data(), bytes.size());
-    }
+    std::string bytes = is_same_layout_ ? std::string(block.records.begin(), block.records.end())
+                                        : std::string(block.count * record_size_, '\0');
     for (std::size_t i = 0; i < block.count; ++i) {
       for (const Copy& copy : copies_) {
         std::memcpy(&bytes[i * record_size_ + copy.to], &block.records[i * block.record_size + copy.from], copy.size);

@@ -19,12 +19,12 @@ void keep_rows(std::vector<T>& values, std::size_t row, const std::vector<std::s
 void SplatBlock::resize(std::size_t splats, int coefficients_degree) {
   count = splats;
   degree = coefficients_degree;
-  position.assign(3 * count, 0.0F);
+  position.resize(3 * count);
   normal.assign(3 * count, 0.0F);
-  rotation.assign(4 * count, 0.0F);
-  log_scale.assign(3 * count, 0.0F);
-  opacity.assign(count, 0.0F);
-  harmonics.assign(3 * bands_squared() * count, 0.0F);
+  rotation.resize(4 * count);
+  log_scale.resize(3 * count);
+  opacity.resize(count);
+  harmonics.resize(3 * bands_squared() * count);
 }
 
 void SplatBlock::keep(const std::vector<std::size_t>& splats) {

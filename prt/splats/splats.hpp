@@ -35,7 +35,7 @@ struct SplatBlock {
   std::size_t record_size = 0;
   std::vector<char> records;  // (count, record_size): the bytes of a PLY file, for what else it holds
 
-  /// All splats become zeros.
+  /// Normals become zeros; all other numbers have any value.
   void resize(std::size_t splats, int coefficients_degree);
   [[nodiscard]] std::size_t bands_squared() const { return splat_bands_squared(degree); }
   /// Keeps the splats whose numbers are given, in their order.

@@ -118,6 +118,11 @@ SpzData read_zstd(const InputFile& file) {
   if (data.header.version != kZstdVersion) {
     file.fail(fmt::format("SPZ of version {} without gzip: expected version 4", data.header.version));
   }
+  constexpr std::uint64_t kMostSplatsPerByte = 1024 / 9;  // positions, 9 bytes a splat, pack less than 1024 times
+  if (data.header.count > kMostSplatsPerByte * file.size()) {
+    file.fail(
+        fmt::format("the header announces {} splats, more than {} bytes can hold", data.header.count, file.size()));
+  }
   const std::size_t streams = number_at<std::uint8_t>(start, 15);
   const std::uint64_t table = number_at<std::uint32_t>(start, 16);
   data.extension_bytes = table < kZstdHeader ? 0 : table - kZstdHeader;

@@ -16,6 +16,7 @@ void run_identify(std::string_view bytes);    // the same of few numbers, and th
 void run_image(std::string_view bytes);       // OpenEXR, Radiance, PNG, JPEG
 void run_light(std::string_view bytes);       // a light in an engine's format
 void run_report(std::string_view bytes);      // a report.json of shcheck
+void run_splats(std::string_view bytes);      // Gaussian splats: PLY, GLB, SPZ
 void run_command(std::string_view bytes);     // a command line of prt: each byte stands for a word
 
 /// Prints `what` and aborts unless `holds`.

@@ -10,6 +10,7 @@
 #include "prt/image/image.hpp"
 #include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
+#include "prt/splats/convert_splats.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "prt/transfer/transfer_json.hpp"
 #include "prt/transfer/transfer_layout.hpp"
@@ -104,6 +105,23 @@ void read_picture(const std::string& file) {
   }
 }
 
+// Valid splats have numbers that can be written, and the reader counts all of them.
+void read_splats(const std::string& file) {
+  const auto reader = splat_format_of(file).read(file);
+  FlawCounts counts;
+  std::size_t valid = 0;
+  for_splats(*reader, {.drop = true}, counts, [&](const SplatBlock& block) {
+    valid += block.count;
+    require(std::all_of(block.position.begin(), block.position.end(), is_finite), "positions are finite");
+    require(std::all_of(block.harmonics.begin(), block.harmonics.end(), is_finite), "coefficients are finite");
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const float* q = &block.rotation[4 * i];
+      require(std::any_of(q, q + 4, [](float v) { return v != 0.0F; }), "quaternions are not 0");
+    }
+  });
+  require(valid + counts.dropped == reader->count(), "every splat is valid or counted");
+}
+
 }  // namespace
 
 std::string checkpoint_with_front(std::string_view records) {
@@ -117,6 +135,8 @@ void run_checkpoint(std::string_view bytes) {
   const bool is_whole = bytes.starts_with("shpart");
   run_reader(read_checkpoint, is_whole ? std::string(bytes) : checkpoint_with_front(bytes));
 }
+
+void run_splats(std::string_view bytes) { run_reader(read_splats, bytes); }
 
 void run_image(std::string_view bytes) { run_reader(read_picture, bytes); }
 
