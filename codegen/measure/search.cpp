@@ -21,6 +21,8 @@ using numeric::Wide;
 using Inputs = std::vector<std::vector<double>>;
 
 constexpr int kClimbs = 8;
+constexpr std::size_t kWalks = 2;      // in half precision
+constexpr int kWalkLength = 8;         // climbs
 constexpr double kLeastInput = 1e-30;  // far from subnormal numbers; a search replaces smaller inputs by 0
 constexpr double kLeastSize = 1e-30;   // below it, products of float lose digits whatever the kernel does
 
@@ -38,6 +40,13 @@ void scale_to_length_one(WideVector& v, std::size_t first, std::size_t size) {
   for (std::size_t i = first; i < first + size; ++i) v[i] = v[i] / length;
 }
 
+// Whether half precision holds the vector within 2 epsilon of length 1, which every bound assumes (bound/region.hpp).
+bool half_is_unit(const WideVector& v, std::size_t first, std::size_t size) {
+  double square = 0;
+  for (std::size_t i = first; i < first + size; ++i) square += std::pow(rounded<Half>(v[i].high()), 2);
+  return std::abs(std::sqrt(square) - 1) <= 2 * Arithmetic<Half>::kEpsilon;
+}
+
 // Gram-Schmidt on the rows; the third row is the cross product of the others.
 void make_rotation(WideVector& v, std::size_t r) {
   scale_to_length_one(v, r, 3);
@@ -50,12 +59,17 @@ void make_rotation(WideVector& v, std::size_t r) {
   }
 }
 
+// Half precision has so few unit vectors that the nearest ones alone miss its worst roundings: others of the domain stay.
+template <class T>
 void move_to_domain(const std::vector<Parameter>& parameters, WideVector& input) {
+  const auto make_unit = [&](std::size_t first, std::size_t size) {
+    if (Arithmetic<T>::kWideRange || !half_is_unit(input, first, size)) scale_to_length_one(input, first, size);
+  };
   std::size_t first = 0;
   for (const Parameter& parameter : parameters) {
-    if (parameter.role == Role::kDirection && parameter.axis == 0) scale_to_length_one(input, first, 3);
-    if (parameter.role == Role::kQuaternion) scale_to_length_one(input, first, 4);
-    if (parameter.role == Role::kCosine) scale_to_length_one(input, first, 2);
+    if (parameter.role == Role::kDirection && parameter.axis == 0) make_unit(first, 3);
+    if (parameter.role == Role::kQuaternion) make_unit(first, 4);
+    if (parameter.role == Role::kCosine) make_unit(first, 2);
     if (parameter.role == Role::kRotationMatrix) make_rotation(input, first);
     first += parameter.size();
   }
@@ -154,7 +168,7 @@ bool to_domain(const Kernel& kernel, const Range& range, std::vector<double>& in
   if (turned || !Arithmetic<T>::kWideRange) {
     WideVector moved(input.begin(), input.end());
     if (!Arithmetic<T>::kWideRange) move_to_half_range(kernel.parameters, moved);
-    move_to_domain(kernel.parameters, moved);
+    move_to_domain<T>(kernel.parameters, moved);
     std::transform(moved.begin(), moved.end(), input.begin(), [](Wide value) { return value.high(); });
   }
   for (double& value : input) {
@@ -200,6 +214,10 @@ class Search {
     points.push_back(worst_of(inputs));
     for (Point& point : points) climb(point, evaluations);
     std::stable_sort(points.begin(), points.end(), is_worse);
+    if (!Arithmetic<T>::kWideRange) {
+      for (std::size_t i = 0; i < std::min(points.size(), kWalks); ++i) walk(points[i], kWalkLength * evaluations);
+      std::stable_sort(points.begin(), points.end(), is_worse);
+    }
     Inputs found;
     for (Point& point : points) found.push_back(std::move(point.input));
     return found;
@@ -337,22 +355,45 @@ class Search {
     const Kernel kernel = part(point.output);
     ErrorLanes<T> lanes(kernel, format_);
     point.error = 0;
-    Inputs near(kLanes);
+    for (int done = 0; done < evaluations; done += kLanes) look_around(point, lanes, done == 0);
+  }
+
+  // Leaves the top of a climb, where every small change is a loss: goes to the worst neighbor if its error is not much
+  // less, and keeps the worst input on the way. What counts as not much goes to 0.
+  // Reference: G. Dueck and T. Scheuer, "Threshold accepting", Journal of Computational Physics 90 (1990) 161.
+  void walk(Point& point, int evaluations) {
+    constexpr double kLoss = 0.3;  // at the start, of the error
+    const Kernel kernel = part(point.output);
+    ErrorLanes<T> lanes(kernel, format_);
+    Point present = point;
     for (int done = 0; done < evaluations; done += kLanes) {
-      for (int lane = 0; lane < kLanes; ++lane) {
-        near[lane] = point.input;
-        if (done + lane > 0 && !change(near[lane])) near[lane] = point.input;
-      }
-      lanes(in_lanes(near));
-      const double about = unit(point.input, point.output);
-      for (int lane = 0; lane < kLanes; ++lane) {
-        // The size changes little, and most changes are no gain: the unit is needed for few.
-        constexpr double kPart = 0.9;
-        const double error = lanes.error(0, lane);
-        if (!(error > point.error * about * kPart)) continue;
-        const double relative = error / unit(near[lane], point.output);
-        if (relative > point.error) point = {near[lane], point.output, relative};
-      }
+      const double left = 1 - static_cast<double>(done) / evaluations;
+      Point next = present;
+      next.error *= 1 - kLoss * left * left;
+      look_around(next, lanes, false);
+      if (next.input != present.input) present = std::move(next);
+      if (present.error > point.error) point = present;
+    }
+  }
+
+  // Goes to the worst neighbor of a point if its error is larger than that of the point. with_itself: one neighbor is the
+  // input of the point.
+  void look_around(Point& point, ErrorLanes<T>& lanes, bool with_itself) {
+    const std::vector<double> middle = point.input;
+    Inputs near(kLanes, middle);
+    for (int lane = with_itself ? 1 : 0; lane < kLanes; ++lane) {
+      if (!change(near[lane])) near[lane] = middle;
+    }
+    lanes(in_lanes(near));
+    const double about = unit(middle, point.output);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (!with_itself && near[lane] == middle) continue;
+      // The size changes little, and most changes are no gain: the unit is needed for few.
+      constexpr double kPart = 0.9;
+      const double error = lanes.error(0, lane);
+      if (!(error > point.error * about * kPart)) continue;
+      const double relative = error / unit(near[lane], point.output);
+      if (relative > point.error) point = {near[lane], point.output, relative};
     }
   }
 
@@ -423,7 +464,7 @@ SeenError largest_seen<Half>(const Kernel& kernel, const Domain& domain, const s
                              int evaluations) {
   const Domain narrow = in_half_range(domain, kernel);
   return {measure<Half>(kernel, narrow, search_inputs<Half>(kernel, narrow, starts, evaluations)),
-          kClimbs * evaluations};
+          (kClimbs + static_cast<int>(kWalks) * kWalkLength) * evaluations};
 }
 
 template <class T>

@@ -3,10 +3,11 @@
 // The error jumps from one input to the next, so the search first climbs the first-order error (first_order.hpp), which is
 // smooth: from the tested inputs where it is largest, along its gradient. There it changes the inputs at random, by much or
 // in the last places, and goes on wherever the error itself is larger. Another climb starts at the tested input with the
-// largest error. Deterministic: the same bits on every IEEE machine.
+// largest error. In half precision two walks that may lose something leave the highest tops. Deterministic: the same bits on
+// every IEEE machine.
 //
 // Inputs stay in the domain: unit vectors and rotation matrices move to the nearest point of the domain and are rounded
-// again, arrays of coefficients are not longer than the tested ones, all other inputs stay between the least and the
+// again (in half precision: unit vectors that are more than 2 epsilon off length 1), arrays of coefficients are not longer than the tested ones, all other inputs stay between the least and the
 // largest tested one.
 #pragma once
 

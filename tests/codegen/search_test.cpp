@@ -137,6 +137,18 @@ TEST(Search, BringsStartsToTheDomain) {
   }
 }
 
+// The domain of bounds has vectors that are off length 1 by at most 2 epsilon (bound/region.hpp). Half precision has few
+// others, and its worst roundings are among them.
+TEST(Search, LooksAtAllUnitVectorsOfHalfPrecision) {
+  const Kernel kernel = written("rotate_z", 6);
+  double most = 0;
+  for (const auto& found : search_inputs<Half>(kernel, find_family("rotate_z").domain, {}, 4096)) {
+    most = std::max(most, std::abs(std::hypot(found[0], found[1]) - 1));
+  }
+  EXPECT_GT(most, 0x1p-11);  // the nearest ones are off by less
+  EXPECT_LE(most, 0x1p-9);
+}
+
 // Inputs are rounded, so that the direction that they stand for is off by an epsilon: the total error exceeds the
 // rounding error by a small multiple of the degree.
 TEST(Search, StatesTotalErrorsNotFarAboveRoundingErrors) {
