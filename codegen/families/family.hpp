@@ -68,7 +68,7 @@ struct BatchDriver {
   std::string parts = {};     ///< for a sum: the family that adds up intermediate values faster; empty: there is none
   std::string finish = {};    ///< the family that makes the sum from these values
   bool half = false;          ///< true: input 0 may be half precision
-  bool records = false;       ///< true: a kernel reads plain records of input 0 itself; for kernels that memory limits
+  bool records = false;       ///< true: scalar products, which read plain records of input 0 as they are
   int largest = 10;           ///< the largest degree; beyond it a driver does not justify its compile time
 };
 

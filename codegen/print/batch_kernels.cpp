@@ -4,11 +4,12 @@
 
 #include "codegen/print/batch_driver.hpp"
 #include "codegen/print/dialect.hpp"
+#include "numeric/oracle/index.hpp"
 
 namespace sh::codegen::print {
 namespace {
 
-enum class Loop { kPlain, kFixed, kHalf, kRecords };
+enum class Loop { kPlain, kFixed, kHalf };
 
 // The loop over registers that runs a kernel: its name and template arguments.
 std::string loop_of(const RecordSignature& s, Loop loop) {
@@ -16,11 +17,20 @@ std::string loop_of(const RecordSignature& s, Loop loop) {
   const std::string inputs = std::to_string(s.inputs.size());
   if (loop == Loop::kFixed) return "for_every_register_fixed<" + inputs + ", " + count + ">";
   if (loop == Loop::kHalf) return "for_every_register_half<" + inputs + ", Size>";
-  if (loop == Loop::kRecords) return "for_every_register_of_records<" + inputs + ", Size>";
   return s.sums ? "sum_every_register<" + inputs + ", " + count + ">" : "for_every_register<" + inputs + ">";
 }
 
-constexpr int kLeastRecord = 4;  // values that for_every_register_of_records takes
+// The kernel of a scalar product that takes plain records; empty if there is none.
+std::string records_kernel(const Driver& driver, const Kernel& kernel) {
+  constexpr int kLeast = 4;  // values of a row that multiply_records takes
+  const int length = numeric::coefficient_count(kernel.degree);
+  if (!driver.spec.records || length < kLeast) return {};
+  const RecordSignature s = signature_of(kernel);
+  return filled("float_only<T>(multiply_records<$rows, $sums, $length>)",
+                {{"rows", std::to_string(s.inputs[0].size / length)},
+                 {"sums", std::to_string(s.inputs[1].size / length)},
+                 {"length", std::to_string(length)}});
+}
 
 // The place of the input that serves all records; -1: there is none.
 int shared_input(const RecordSignature& s) {
@@ -29,7 +39,7 @@ int shared_input(const RecordSignature& s) {
 }
 
 std::string block_kernel(const std::string& name, const Kernel& kernel, Loop loop = Loop::kPlain) {
-  const bool is_float = loop == Loop::kHalf || loop == Loop::kRecords;
+  const bool is_float = loop == Loop::kHalf;
   return filled(R"(template <int Degree$class_t>
 [[gnu::flatten]] void $name(const Blocks<$t>& blocks) {
   $loop(blocks, [$capture](const Lanes<$t>* const* in, Lanes<$t>* out) {
@@ -60,20 +70,18 @@ std::string plan_row(const Driver& driver, std::size_t i) {
     prepared =
         "detail::prepare_" + driver.name + ", " + std::to_string(size) + ", kernel_prepared" + at_degree + ", T>";
   }
-  const auto of_floats = [&](const std::string& name) {
-    return "float_only<T>(" + name + at_degree + ", " + std::to_string(s.inputs[0].size) + ">)";
-  };
-  const bool records = driver.spec.records && s.inputs[0].size >= kLeastRecord;
-  const std::string shared = shared_input(s) < 0 && !records ? ""
-                                                             : ", " + std::to_string(shared_input(s)) +
-                                                                   (records ? ", " + of_floats("kernel_records") : "");
+  const std::string half = "float_only<T>(kernel_half" + at_degree + ", " + std::to_string(s.inputs[0].size) + ">)";
+  const std::string records = records_kernel(driver, kernel);
+  std::string shared;
+  if (shared_input(s) >= 0) shared = ", " + std::to_string(shared_input(s));
+  if (!records.empty()) shared += ", " + records;
   return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish$shared},\n",
                 {{"inputs", std::to_string(s.inputs.size())},
                  {"sizes", sizes},
                  {"out", std::to_string(s.out_size)},
                  {"sums", s.sums ? "true" : "false"},
                  {"kernel", (by_parts ? "parts" : "kernel") + at_degree + ", T>"},
-                 {"half", driver.spec.half ? of_floats("kernel_half") : "nullptr"},
+                 {"half", driver.spec.half ? half : "nullptr"},
                  {"prepared", prepared},
                  {"finish", by_parts ? "detail::finish_" + driver.name : "nullptr"},
                  {"shared", shared}});
@@ -131,7 +139,6 @@ std::string kernels_file(const Driver& driver) {
   if (driver.adds_parts()) kernels += block_kernel("parts", driver.parts->back().kernel);
   if (driver.prepares()) kernels += block_kernel("kernel_prepared", driver.prepared->back().kernel, Loop::kFixed);
   if (driver.spec.half) kernels += block_kernel("kernel_half", driver.last(), Loop::kHalf);
-  if (driver.spec.records) kernels += block_kernel("kernel_records", driver.last(), Loop::kRecords);
   std::string plans;
   for (std::size_t i = 0; i < driver.kernels.size(); ++i) plans += plan_row(driver, i);
   return filled(

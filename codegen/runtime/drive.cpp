@@ -20,7 +20,7 @@ class Driver {
  public:
   Driver(const detail::Call<T>& call, const Plan<T>& plan) : call_(call), plan_(plan) {
     for (int j = 0; j < plan.inputs; ++j) take_input(j);
-    direct_out_ = direct(call.out.data, call.out.layout, plan.out) && !call.stream;
+    direct_out_ = (takes_records() || direct(call.out.data, call.out.layout, plan.out)) && !call.stream;
   }
 
   void run() {
@@ -44,9 +44,10 @@ class Driver {
 
   bool is_half(int j) const { return j == 0 && call_.half != nullptr; }
 
-  // Whether the kernel takes whole blocks of input 0 record by record.
+  // Whether a kernel takes whole blocks of input 0 record by record, and writes records.
   bool takes_records() const {
-    return plan_.kernel_records != nullptr && call_.half == nullptr && call_.in[0].layout == Layout::kPlain;
+    return plan_.kernel_records != nullptr && call_.half == nullptr && call_.in[0].layout == Layout::kPlain &&
+           call_.out.layout == Layout::kPlain;
   }
 
   T* take_room(std::size_t values) {
@@ -165,7 +166,9 @@ class Driver {
     const bool halves = is_half(0) && direct_in_[0] && call_.in[0].layout != Layout::kShared && lanes == kBlock<T>;
     const bool records = takes_records() && lanes == kBlock<T>;
     (halves ? plan_.kernel_half : records ? plan_.kernel_records : kernel_)(blocks_);
-    if (!direct_out_) deliver(count, lanes, room + count * block, out);
+    if (direct_out_) return;
+    if (records) return copy(blocks_.out, count * block, call_.stream, out);
+    deliver(count, lanes, room + count * block, out);
   }
 
   // spare: room for as many records as were computed.

@@ -24,7 +24,7 @@ struct Plan {
   // Where the kernel adds up something else: from that to the sum.
   detail::Once<double> finish = nullptr;
   int shared = -1;  // the input that is always shared, and that the kernel takes as scalars; none: -1
-  BlockKernel<T> kernel_records = nullptr;  // takes plain records of input 0 as they are
+  BlockKernel<T> kernel_records = nullptr;  // from plain records of input 0 to plain records
 };
 
 /// The kernel where T is float; none for double.

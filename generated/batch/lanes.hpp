@@ -142,28 +142,60 @@ template <int Inputs, int Size, class Kernel>
   }
 }
 
-// The same where input 0, Size values a record, at least 4, is plain: one record after the other.
-template <int Inputs, int Size, class Kernel>
-[[gnu::always_inline]] inline void for_every_register_of_records(const Blocks<float>& blocks, const Kernel& kernel) {
-  static_assert(kWide == Lanes<float>::kWidth && sizeof(Wide) == sizeof(Lanes<float>::Register),
-                "columns are registers");
-  for (std::size_t b = 0; b < blocks.count; ++b) {
-    const float* records = blocks.in[0] + b * blocks.step[0];
-    constexpr std::size_t kLinesAhead = 128;
-    for (std::size_t k = 0; k < Size; ++k) __builtin_prefetch(records + (kLinesAhead + k) * kBlock<float>);
-    for (std::size_t lane = 0; lane < kBlock<float>; lane += kWide) {
-      Lanes<float> wide[Size];
-      unrolled(std::make_index_sequence<(std::size_t(Size) + 3) / 4>(), [&](std::size_t four) {
-        const std::size_t k = 4 * four + 4 <= std::size_t(Size) ? 4 * four : std::size_t(Size) - 4;
-        Wide columns[4];
-        load_columns(records + lane * Size + k, Size, columns);
-        for (std::size_t j = 0; j < 4; ++j) wide[k + j] = Lanes<float>(Lanes<float>::Register(columns[j]));
-      });
-      const Lanes<float>* in[Inputs] = {wide};
-      for (int j = 1; j < Inputs; ++j) {
-        in[j] = reinterpret_cast<const Lanes<float>*>(blocks.in[j] + b * blocks.step[j] + lane);
+// Fetches `lines` lines that a stream will need into the nearest cache, and those far behind them into the second one.
+// That takes more lines at a time than the nearest cache can wait for, and the processor's own prefetching lags behind.
+[[gnu::always_inline]] inline void prefetch_stream(const float* from, std::size_t lines) {
+  constexpr std::size_t kNear = 10240 / sizeof(float);
+  constexpr std::size_t kFar = 32768 / sizeof(float);
+  for (std::size_t k = 0; k < lines; ++k) {
+    __builtin_prefetch(from + kNear + k * kBlock<float>, 0, 3);
+    __builtin_prefetch(from + kFar + k * kBlock<float>, 0, 2);
+  }
+}
+
+// The scalar products of plain records with input 1, as plain records. A record is Rows rows of Length values, at least 4, input 1 is Sums
+// of them: row r meets rows r Sums / Rows and up of input 1. Transposed columns stay in registers while they are added
+// up, in their order, so that the bits are those of a plain loop; two parts by turns hide the time of an addition.
+template <int Rows, int Sums, std::size_t Length>
+void multiply_records(const Blocks<float>& blocks) {
+  constexpr std::size_t kParts = 2;
+  constexpr std::size_t kAtOnce = kParts * kWide;  // records
+  constexpr std::size_t kSize = Rows * Length;
+  constexpr std::size_t kSumsOfRow = Sums / Rows;
+  const float* light = blocks.in[1];
+  for (std::size_t i = 0; i < blocks.count * kBlock<float>; i += kAtOnce) {
+    const float* records = blocks.in[0] + i * kSize;
+    Wide sums[Sums][kParts];
+    for (auto& sum : sums) sum[0] = sum[1] = -Wide{};  // -0 leaves what is added to it
+    // Adds columns first + skipped to first + 3 of each row.
+    const auto add = [&](std::size_t first, auto skipped) __attribute__((always_inline)) {
+      constexpr std::size_t kSkipped = decltype(skipped)::value;
+      prefetch_stream(records + first * kAtOnce * Rows, 4 * kAtOnce * Rows / kBlock<float>);
+      unrolled(
+          std::make_index_sequence<kParts * Rows>(), [&](std::size_t k) __attribute__((always_inline)) {
+            const std::size_t part = k / Rows;
+            const std::size_t row = k % Rows;
+            Wide columns[4];
+            load_columns(records + part * kWide * kSize + row * Length + first, kSize, columns);
+            unrolled(
+                std::make_index_sequence<(4 - kSkipped) * kSumsOfRow>(), [&](std::size_t j) __attribute__((
+                                                                             always_inline)) {
+                  const std::size_t column = kSkipped + j / kSumsOfRow;
+                  const std::size_t sum = row * kSumsOfRow + j % kSumsOfRow;
+                  sums[sum][part] += columns[column] * light[sum * Length + first + column];
+                });
+          });
+    };
+    for (std::size_t first = 0; first + 4 <= Length; first += 4) add(first, std::integral_constant<std::size_t, 0>());
+    if constexpr (Length % 4 != 0) add(Length - 4, std::integral_constant<std::size_t, 4 - Length % 4>());
+    for (std::size_t part = 0; part < kParts; ++part) {
+      float* out = blocks.out + (i + part * kWide) * Sums;
+      if constexpr (Sums == 3) {
+        store_triples(sums[0][part], sums[1][part], sums[2][part], out);
+      } else {
+        static_assert(Sums == 1);
+        std::memcpy(out, &sums[0][part], sizeof(Wide));
       }
-      kernel(in, reinterpret_cast<Lanes<float>*>(blocks.out + b * blocks.out_step + lane));
     }
   }
 }

@@ -54,10 +54,8 @@ inline void transpose(const double* from, std::size_t from_step, double* to, std
   for (std::size_t i = 0; i < 2; ++i) std::memcpy(to + i * to_step, &columns[i], sizeof columns[i]);
 }
 
-// The widest vectors that hold columns of four records each.
-#if defined(__AVX512F__)
-constexpr std::size_t kWide = 16;
-#elif defined(__AVX2__)
+// Vectors that hold columns of four records each. Eight lanes serve AVX-512, too: wider shuffles take more time there.
+#if defined(__AVX2__)
 constexpr std::size_t kWide = 8;
 #else
 constexpr std::size_t kWide = 4;
@@ -66,12 +64,8 @@ using Wide = float __attribute__((vector_size(4 * kWide)));
 
 // Four values of each of kWide / 4 rows, which are 4 rows apart, side by side.
 inline Wide load_rows(const float* from, std::size_t step) {
-#if defined(__AVX512F__)
-  const auto low = __builtin_shufflevector(load(from), load(from + 4 * step), 0, 1, 2, 3, 4, 5, 6, 7);
-  const auto high = __builtin_shufflevector(load(from + 8 * step), load(from + 12 * step), 0, 1, 2, 3, 4, 5, 6, 7);
-  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-#elif defined(__AVX2__)
-  return __builtin_shufflevector(load(from), load(from + 4 * step), 0, 1, 2, 3, 4, 5, 6, 7);
+#if defined(__AVX2__)
+  return _mm256_insertf128_ps(_mm256_castps128_ps256(load(from)), load(from + 4 * step), 1);
 #else
   static_cast<void>(step);
   return load(from);
@@ -135,19 +129,29 @@ inline void spread_triples(const float* records, float* block) {
 }
 inline void spread_triples(const double* /*records*/, double* /*block*/) {}  // two rows of a transpose serve there
 
-// Four lanes of three values of a block -> four records of three values.
+// Three values of kWide records -> the records.
+inline void store_triples(const Wide& a, const Wide& b, const Wide& c, float* records) {
+  const Wide a0b0a1b1 = pick<0, 4, 1, 5>(a, b);
+  const Wide a2b2a3b3 = pick<2, 6, 3, 7>(a, b);
+  const Wide c0a1c2a3 = pick<0, 5, 2, 7>(c, a);
+  const Wide b1c1b3c3 = pick<1, 5, 3, 7>(b, c);
+  const Wide values[3] = {pick<0, 1, 4, 5>(a0b0a1b1, c0a1c2a3), pick<0, 1, 4, 5>(b1c1b3c3, a2b2a3b3),
+                          pick<2, 3, 6, 7>(c0a1c2a3, b1c1b3c3)};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Four low = __builtin_shufflevector(values[k], values[k], 0, 1, 2, 3);
+    std::memcpy(records + 4 * k, &low, sizeof low);
+#if defined(__AVX2__)
+    const Four high = __builtin_shufflevector(values[k], values[k], 4, 5, 6, 7);
+    std::memcpy(records + 12 + 4 * k, &high, sizeof high);
+#endif
+  }
+}
+
+// kWide lanes of three values of a block -> kWide records of three values.
 inline void join_triples(const float* block, float* records) {
-  const Four a = load(block);
-  const Four b = load(block + kBlock<float>);
-  const Four c = load(block + 2 * kBlock<float>);
-  const Four a0b0a1b1 = __builtin_shufflevector(a, b, 0, 4, 1, 5);
-  const Four a2b2a3b3 = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-  const Four c0a1c2a3 = __builtin_shufflevector(c, a, 0, 5, 2, 7);
-  const Four b1c1b3c3 = __builtin_shufflevector(b, c, 1, 5, 3, 7);
-  const Four values[3] = {__builtin_shufflevector(a0b0a1b1, c0a1c2a3, 0, 1, 4, 5),
-                          __builtin_shufflevector(b1c1b3c3, a2b2a3b3, 0, 1, 4, 5),
-                          __builtin_shufflevector(c0a1c2a3, b1c1b3c3, 2, 3, 6, 7)};
-  for (std::size_t k = 0; k < 3; ++k) std::memcpy(records + 4 * k, &values[k], sizeof values[k]);
+  Wide values[3];
+  for (std::size_t k = 0; k < 3; ++k) std::memcpy(&values[k], block + k * kBlock<float>, sizeof values[k]);
+  store_triples(values[0], values[1], values[2], records);
 }
 inline void join_triples(const double* /*block*/, double* /*records*/) {}  // two rows of a transpose serve there
 
@@ -182,7 +186,7 @@ template <class T>
 void to_records(const T* block, std::size_t count, std::size_t size, T* records) {
   std::size_t i = 0;
   if (size == 3 && kSide<T> == 4) {
-    for (; i + 4 <= count; i += 4) join_triples(block + i, records + i * size);
+    for (; i + kWide <= count; i += kWide) join_triples(block + i, records + i * size);
   } else if (size >= kSide<T>) {
     for (; i + kSide<T> <= count; i += kSide<T>) {
       for (std::size_t k = 0; k < size; k += kSide<T>) {

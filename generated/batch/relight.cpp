@@ -22,29 +22,22 @@ template <int Degree, int Size>
   });
 }
 
-template <int Degree, int Size>
-[[gnu::flatten]] void kernel_records(const Blocks<float>& blocks) {
-  for_every_register_of_records<2, Size>(blocks, [&blocks](const Lanes<float>* const* in, Lanes<float>* out) {
-    out[0] = sh::relight<Degree>(in[0], blocks.in[1]);
-  });
-}
-
 }  // namespace
 
 template <class T>
 void relight(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
       {2, {1, 1}, 1, false, kernel<0, T>, float_only<T>(kernel_half<0, 1>), nullptr, 0, nullptr, nullptr, 1},
-      {2, {4, 4}, 1, false, kernel<1, T>, float_only<T>(kernel_half<1, 4>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<1, 4>)},
-      {2, {9, 9}, 1, false, kernel<2, T>, float_only<T>(kernel_half<2, 9>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<2, 9>)},
-      {2, {16, 16}, 1, false, kernel<3, T>, float_only<T>(kernel_half<3, 16>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<3, 16>)},
-      {2, {25, 25}, 1, false, kernel<4, T>, float_only<T>(kernel_half<4, 25>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<4, 25>)},
-      {2, {36, 36}, 1, false, kernel<5, T>, float_only<T>(kernel_half<5, 36>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<5, 36>)},
-      {2, {49, 49}, 1, false, kernel<6, T>, float_only<T>(kernel_half<6, 49>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<6, 49>)},
-      {2, {64, 64}, 1, false, kernel<7, T>, float_only<T>(kernel_half<7, 64>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<7, 64>)},
-      {2, {81, 81}, 1, false, kernel<8, T>, float_only<T>(kernel_half<8, 81>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<8, 81>)},
-      {2, {100, 100}, 1, false, kernel<9, T>, float_only<T>(kernel_half<9, 100>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<9, 100>)},
-      {2, {121, 121}, 1, false, kernel<10, T>, float_only<T>(kernel_half<10, 121>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<10, 121>)},
+      {2, {4, 4}, 1, false, kernel<1, T>, float_only<T>(kernel_half<1, 4>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 4>)},
+      {2, {9, 9}, 1, false, kernel<2, T>, float_only<T>(kernel_half<2, 9>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 9>)},
+      {2, {16, 16}, 1, false, kernel<3, T>, float_only<T>(kernel_half<3, 16>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 16>)},
+      {2, {25, 25}, 1, false, kernel<4, T>, float_only<T>(kernel_half<4, 25>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 25>)},
+      {2, {36, 36}, 1, false, kernel<5, T>, float_only<T>(kernel_half<5, 36>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 36>)},
+      {2, {49, 49}, 1, false, kernel<6, T>, float_only<T>(kernel_half<6, 49>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 49>)},
+      {2, {64, 64}, 1, false, kernel<7, T>, float_only<T>(kernel_half<7, 64>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 64>)},
+      {2, {81, 81}, 1, false, kernel<8, T>, float_only<T>(kernel_half<8, 81>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 81>)},
+      {2, {100, 100}, 1, false, kernel<9, T>, float_only<T>(kernel_half<9, 100>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 100>)},
+      {2, {121, 121}, 1, false, kernel<10, T>, float_only<T>(kernel_half<10, 121>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 121>)},
   };
   drive(call, kPlans[call.degree]);
 }

@@ -22,29 +22,22 @@ template <int Degree, int Size>
   });
 }
 
-template <int Degree, int Size>
-[[gnu::flatten]] void kernel_records(const Blocks<float>& blocks) {
-  for_every_register_of_records<2, Size>(blocks, [&blocks](const Lanes<float>* const* in, Lanes<float>* out) {
-    sh::relight_colored<Degree>(in[0], blocks.in[1], out);
-  });
-}
-
 }  // namespace
 
 template <class T>
 void relight_colored(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
       {2, {3, 3}, 3, false, kernel<0, T>, float_only<T>(kernel_half<0, 3>), nullptr, 0, nullptr, nullptr, 1},
-      {2, {12, 12}, 3, false, kernel<1, T>, float_only<T>(kernel_half<1, 12>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<1, 12>)},
-      {2, {27, 27}, 3, false, kernel<2, T>, float_only<T>(kernel_half<2, 27>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<2, 27>)},
-      {2, {48, 48}, 3, false, kernel<3, T>, float_only<T>(kernel_half<3, 48>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<3, 48>)},
-      {2, {75, 75}, 3, false, kernel<4, T>, float_only<T>(kernel_half<4, 75>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<4, 75>)},
-      {2, {108, 108}, 3, false, kernel<5, T>, float_only<T>(kernel_half<5, 108>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<5, 108>)},
-      {2, {147, 147}, 3, false, kernel<6, T>, float_only<T>(kernel_half<6, 147>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<6, 147>)},
-      {2, {192, 192}, 3, false, kernel<7, T>, float_only<T>(kernel_half<7, 192>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<7, 192>)},
-      {2, {243, 243}, 3, false, kernel<8, T>, float_only<T>(kernel_half<8, 243>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<8, 243>)},
-      {2, {300, 300}, 3, false, kernel<9, T>, float_only<T>(kernel_half<9, 300>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<9, 300>)},
-      {2, {363, 363}, 3, false, kernel<10, T>, float_only<T>(kernel_half<10, 363>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<10, 363>)},
+      {2, {12, 12}, 3, false, kernel<1, T>, float_only<T>(kernel_half<1, 12>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<3, 3, 4>)},
+      {2, {27, 27}, 3, false, kernel<2, T>, float_only<T>(kernel_half<2, 27>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<3, 3, 9>)},
+      {2, {48, 48}, 3, false, kernel<3, T>, float_only<T>(kernel_half<3, 48>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<3, 3, 16>)},
+      {2, {75, 75}, 3, false, kernel<4, T>, float_only<T>(kernel_half<4, 75>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<3, 3, 25>)},
+      {2, {108, 108}, 3, false, kernel<5, T>, float_only<T>(kernel_half<5, 108>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<3, 3, 36>)},
+      {2, {147, 147}, 3, false, kernel<6, T>, float_only<T>(kernel_half<6, 147>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<3, 3, 49>)},
+      {2, {192, 192}, 3, false, kernel<7, T>, float_only<T>(kernel_half<7, 192>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<3, 3, 64>)},
+      {2, {243, 243}, 3, false, kernel<8, T>, float_only<T>(kernel_half<8, 243>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<3, 3, 81>)},
+      {2, {300, 300}, 3, false, kernel<9, T>, float_only<T>(kernel_half<9, 300>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<3, 3, 100>)},
+      {2, {363, 363}, 3, false, kernel<10, T>, float_only<T>(kernel_half<10, 363>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<3, 3, 121>)},
   };
   drive(call, kPlans[call.degree]);
 }

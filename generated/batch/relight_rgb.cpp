@@ -22,29 +22,22 @@ template <int Degree, int Size>
   });
 }
 
-template <int Degree, int Size>
-[[gnu::flatten]] void kernel_records(const Blocks<float>& blocks) {
-  for_every_register_of_records<2, Size>(blocks, [&blocks](const Lanes<float>* const* in, Lanes<float>* out) {
-    sh::relight_rgb<Degree>(in[0], blocks.in[1], out);
-  });
-}
-
 }  // namespace
 
 template <class T>
 void relight_rgb(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
       {2, {1, 3}, 3, false, kernel<0, T>, float_only<T>(kernel_half<0, 1>), nullptr, 0, nullptr, nullptr, 1},
-      {2, {4, 12}, 3, false, kernel<1, T>, float_only<T>(kernel_half<1, 4>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<1, 4>)},
-      {2, {9, 27}, 3, false, kernel<2, T>, float_only<T>(kernel_half<2, 9>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<2, 9>)},
-      {2, {16, 48}, 3, false, kernel<3, T>, float_only<T>(kernel_half<3, 16>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<3, 16>)},
-      {2, {25, 75}, 3, false, kernel<4, T>, float_only<T>(kernel_half<4, 25>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<4, 25>)},
-      {2, {36, 108}, 3, false, kernel<5, T>, float_only<T>(kernel_half<5, 36>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<5, 36>)},
-      {2, {49, 147}, 3, false, kernel<6, T>, float_only<T>(kernel_half<6, 49>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<6, 49>)},
-      {2, {64, 192}, 3, false, kernel<7, T>, float_only<T>(kernel_half<7, 64>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<7, 64>)},
-      {2, {81, 243}, 3, false, kernel<8, T>, float_only<T>(kernel_half<8, 81>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<8, 81>)},
-      {2, {100, 300}, 3, false, kernel<9, T>, float_only<T>(kernel_half<9, 100>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<9, 100>)},
-      {2, {121, 363}, 3, false, kernel<10, T>, float_only<T>(kernel_half<10, 121>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(kernel_records<10, 121>)},
+      {2, {4, 12}, 3, false, kernel<1, T>, float_only<T>(kernel_half<1, 4>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 4>)},
+      {2, {9, 27}, 3, false, kernel<2, T>, float_only<T>(kernel_half<2, 9>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 9>)},
+      {2, {16, 48}, 3, false, kernel<3, T>, float_only<T>(kernel_half<3, 16>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 16>)},
+      {2, {25, 75}, 3, false, kernel<4, T>, float_only<T>(kernel_half<4, 25>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 25>)},
+      {2, {36, 108}, 3, false, kernel<5, T>, float_only<T>(kernel_half<5, 36>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 36>)},
+      {2, {49, 147}, 3, false, kernel<6, T>, float_only<T>(kernel_half<6, 49>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 49>)},
+      {2, {64, 192}, 3, false, kernel<7, T>, float_only<T>(kernel_half<7, 64>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 64>)},
+      {2, {81, 243}, 3, false, kernel<8, T>, float_only<T>(kernel_half<8, 81>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 81>)},
+      {2, {100, 300}, 3, false, kernel<9, T>, float_only<T>(kernel_half<9, 100>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 100>)},
+      {2, {121, 363}, 3, false, kernel<10, T>, float_only<T>(kernel_half<10, 121>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 121>)},
   };
   drive(call, kPlans[call.degree]);
 }

@@ -6,11 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include "generated/batch/batch.hpp"
 #include "prt/chunks.hpp"
 #include "prt/runtime/lit_clusters.hpp"
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 
 namespace sh::prt {
 
@@ -70,7 +75,9 @@ void sums_of(const TransferShape& shape, const float* rows, std::size_t count, c
       const std::size_t some = std::min(kVerticesAtOnce, count - first);
       batch::relight(shape.degree, some, batch::plain(rows + first * shape.length()), light.data(),
                      batch::plain(sums.data()));
-      for (std::size_t v = 0; v < some; ++v) std::fill_n(out + 3 * (first + v), 3, sums[v]);
+      for (std::size_t v = 0; v < some; ++v) {
+        for (std::size_t channel = 0; channel < 3; ++channel) out[3 * (first + v) + channel] = sums[v];
+      }
     }
   }
 }
@@ -100,6 +107,25 @@ void for_clustered(const Transfer& transfer, const std::vector<float>& light, co
   });
 }
 
+/// Values of rows that outgrow the caches: radiance that is written beside them would not stay there either.
+constexpr std::size_t kCachedValues = (32U << 20U) / sizeof(float);
+
+/// out = values times factors, past the caches where that is possible, so that no line of `out` is read first.
+void multiply_past_caches(const float* values, const float* factors, std::size_t count, float* out) {
+  std::size_t i = 0;
+#if defined(__SSE2__)
+  constexpr std::size_t kFour = sizeof(__m128) / sizeof(float);
+  for (; i < count && reinterpret_cast<std::uintptr_t>(out + i) % sizeof(__m128) != 0; ++i) {
+    out[i] = values[i] * factors[i];
+  }
+  for (; i + kFour <= count; i += kFour) {
+    _mm_stream_ps(out + i, _mm_mul_ps(_mm_loadu_ps(values + i), _mm_loadu_ps(factors + i)));
+  }
+  _mm_sfence();
+#endif
+  for (; i < count; ++i) out[i] = values[i] * factors[i];
+}
+
 /// The sums of `count` vertices from `first` on, times their colors if the rows hold no albedo, with the emitted light;
 /// colors, one a vertex from `first` on.
 void finish(const Transfer& transfer, std::size_t first, std::size_t count, const Eigen::Vector3f* colors,
@@ -125,7 +151,14 @@ void relight_with(const Transfer& transfer, const LightCoefficients& light, std:
       finish(transfer, v, 1, &colors[v], &radiance[v]);
     });
   }
+  const bool past_caches =
+      transfer.coefficients.size() > kCachedValues && !transfer.shape.holds_albedo && transfer.emitted.empty();
   for_ranges(transfer, [&](std::size_t first, std::size_t count) {
+    if (past_caches) {
+      std::array<float, 3 * kVerticesAtOnce> sums;
+      sums_of(transfer.shape, transfer.row(first), count, values, sums.data());
+      return multiply_past_caches(sums.data(), colors[first].data(), 3 * count, radiance[first].data());
+    }
     sums_of(transfer.shape, transfer.row(first), count, values, radiance[first].data());
     finish(transfer, first, count, &colors[first], &radiance[first]);
   });
