@@ -40,6 +40,7 @@ void add_grid_command(CLI::App& tool);
 void add_export_command(CLI::App& tool);
 void add_import_command(CLI::App& tool);
 void add_splats_command(CLI::App& tool);
+void add_view_command(CLI::App& tool);
 void add_emit_command(CLI::App& tool);  // where the generator is built
 
 /// A requested check found a difference: the tool exits 1.

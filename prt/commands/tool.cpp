@@ -35,6 +35,7 @@ constexpr Command kCommands[] = {{"bake", sh::prt::add_bake_command},
 #if defined(SHFORGE_EMIT)
                                  {"emit", sh::prt::add_emit_command},
 #endif
+                                 {"view", sh::prt::add_view_command},
                                  {"grid", sh::prt::add_grid_command},
                                  {"export", sh::prt::add_export_command},
                                  {"import", sh::prt::add_import_command},

@@ -7,6 +7,7 @@
 #include "prt/emit/blocks.hpp"
 #include "prt/emit/parts.hpp"
 #include "prt/material/lobe.hpp"
+#include "prt/runtime/file_shaders.hpp"
 #include "prt/zonal.hpp"
 
 namespace sh::prt {

@@ -1,4 +1,4 @@
-// relight.vert: comment, kernels, sizes, and the shaders of prt/emit/text; relight.json: how relight.bin is laid out.
+// relight.vert: comment, kernels, sizes, and the texts of prt/shaders; relight.json: how relight.bin is laid out.
 #include <fmt/format.h>
 
 #include <deque>
@@ -6,16 +6,17 @@
 
 #include "numeric/oracle/zonal.hpp"
 #include "prt/emit/shaders.hpp"
+#include "prt/runtime/file_shaders.hpp"
 #include "prt/zonal.hpp"
 
 namespace sh::prt {
 
 namespace {
 
-constexpr float kNormalized = 127.0F;  // R8_SNORM reads q / 127
-
 // The most vec4s of a vertex that OpenGL ES 3.0 captures.
 constexpr std::size_t kCaptured = 15;
+
+constexpr float kNormalized = 127.0F;  // R8_SNORM reads q / 127
 
 class GlslEmitter {
  public:
@@ -52,7 +53,8 @@ class GlslEmitter {
                               : is_glossy ? coefficient_count(transfer_.degree())
                                           : 1;
     const std::size_t fours = (3 * given + 3) / 4;
-    const std::size_t parts = (fours + kCaptured - 1) / kCaptured;
+    const std::size_t most = es_ ? 1 : kCaptured;  // WebGL captures no arrays
+    const std::size_t parts = (fours + most - 1) / most;
     const std::size_t part = (fours + parts - 1) / parts;
     const std::size_t rows = clusters.count() * (1 + clusters.vectors);
     Shader lit{is_matrix ? "lit_matrices.vert" : "lit.vert", {}, {}, {}};

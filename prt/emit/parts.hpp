@@ -69,12 +69,7 @@ std::string emitted_comment(const Transfer& transfer, const EmittedRows& rows, c
 std::vector<float> flat(const std::vector<Eigen::Vector3f>& values);
 bool any_above_zero(const std::vector<Eigen::Vector3f>& values);
 
-/// The text of a file of prt/emit/text.
+/// The text of a file of prt/emit/text or prt/shaders.
 std::string_view emitted_text(std::string_view file);
-
-/// 8 n^2 + 4, or 1 at degree 0: the numbers of a light that transfer_prepare makes.
-constexpr std::size_t sample_count(int degree) {
-  return degree == 0 ? 1 : 8 * static_cast<std::size_t>(degree * degree) + 4;
-}
 
 }  // namespace sh::prt

@@ -13,7 +13,7 @@ namespace sh::prt {
 
 inline constexpr std::size_t kTextureWidth = 2048;
 
-/// A shader in the making: its kernels, the macros of its texts, and these files of prt/emit/text.
+/// A shader in the making: its kernels, the macros of its texts, and these files of prt/shaders.
 struct Shader {
   std::string file;
   std::string functions;

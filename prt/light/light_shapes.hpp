@@ -50,6 +50,13 @@ inline constexpr int kSkyTypes = 15;
 inline constexpr int kClearSky = 12;
 inline constexpr int kPartlyCloudySky = 7;
 
+/// The constants of gradation and indicatrix [CIE03, table 1]; prt/light/sky.cpp has the equations. Throws
+/// std::invalid_argument unless 1 <= type <= kSkyTypes.
+struct SkyParameters {
+  double a, b, c, d, e;
+};
+const SkyParameters& sky_parameters(int type);
+
 /// The radiance in a unit direction, 1 at the zenith, 0 at the horizon and below. `sun` is unit, sun.z >= 0; 1 <= type
 /// <= kSkyTypes.
 double sky_radiance(int type, const Eigen::Vector3d& sun, const Eigen::Vector3d& direction);

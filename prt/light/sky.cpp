@@ -21,10 +21,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-struct SkyParameters {
-  double a, b, c, d, e;
-};
-
 // [CIE03] table 1
 constexpr std::array<SkyParameters, kSkyTypes> kSkies{{{4.0, -0.70, 0.0, -1.0, 0.0},
                                                        {4.0, -0.70, 2.0, -1.5, 0.15},
@@ -47,11 +43,6 @@ double gradation(const SkyParameters& sky, double cosine) { return 1.0 + sky.a *
 double indicatrix(const SkyParameters& sky, double chi) {
   const double cosine = std::cos(chi);
   return 1.0 + sky.c * (std::exp(sky.d * chi) - std::exp(sky.d * 0.5 * kPi)) + sky.e * cosine * cosine;
-}
-
-const SkyParameters& parameters(int type) {
-  if (type < 1 || type > kSkyTypes) throw std::invalid_argument("sky: expected a type from 1 to 15");
-  return kSkies[type - 1];
 }
 
 using Rule = numeric::GaussLegendreRule<double>;
@@ -110,8 +101,13 @@ double at_zenith(const SkyParameters& sky, const Eigen::Vector3d& sun) {
 
 }  // namespace
 
+const SkyParameters& sky_parameters(int type) {
+  if (type < 1 || type > kSkyTypes) throw std::invalid_argument("sky: expected a type from 1 to 15");
+  return kSkies[type - 1];
+}
+
 double sky_radiance(int type, const Eigen::Vector3d& sun, const Eigen::Vector3d& direction) {
-  const SkyParameters& sky = parameters(type);
+  const SkyParameters& sky = sky_parameters(type);
   if (!(direction.z() > 0.0)) return 0.0;
   return indicatrix(sky, angle_between(sun, direction)) * gradation(sky, direction.z()) / at_zenith(sky, sun);
 }
@@ -119,7 +115,7 @@ double sky_radiance(int type, const Eigen::Vector3d& sun, const Eigen::Vector3d&
 std::vector<double> project_sky(int type, const Eigen::Vector3d& sun, int degree, int refinement) {
   static const Nodes kNodes = nodes_of(1);
   const Nodes nodes = refinement == 1 ? kNodes : nodes_of(refinement);
-  const SkyParameters& sky = parameters(type);
+  const SkyParameters& sky = sky_parameters(type);
   std::vector<double> sum(coefficient_count(degree), 0.0);
   const double elevation = std::atan2(std::max(sun.z(), 0.0), std::hypot(sun.x(), sun.y()));
   const double scale = kPi / at_zenith(sky, sun);  // two panels of pi/2, each seen on both sides of the meridian

@@ -1,0 +1,184 @@
+#include "prt/runtime/file_shaders.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include "numeric/oracle/zonal.hpp"
+#include "prt/material/reflectance.hpp"
+#include "prt/runtime/shader_texts.hpp"
+#include "prt/zonal.hpp"
+
+namespace sh::prt {
+namespace {
+
+/// A shader in the making: generated functions, macros, and the texts that use them.
+class ShaderWriter {
+ public:
+  template <class Value>
+  void define(std::string_view name, const Value& value) {
+    defines_ += fmt::format("#define {} {}\n", name, value);
+  }
+  /// The generated function of a family under the name `macro`.
+  void use(std::string_view macro, std::string_view family, int degree) {
+    const std::string name = kernel_name(family, degree);
+    if (functions_.find(fmt::format(" {}(", name)) == std::string::npos) {
+      functions_ += shader_text(name + ".glsl");  // may serve twice
+    }
+    define(macro, name);
+  }
+  void declare(std::string_view text) { defines_ += text; }
+  void add(std::string_view file) { texts_ += shader_text(file); }
+  [[nodiscard]] std::string text(const Transfer& transfer) const {
+    return fmt::format(
+        "#version 300 es\n// Relights transfer {} of degree {} from the numbers of its file.\n"
+        "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n{}\n{}{}",
+        transfer.kind->letters, transfer.degree(), functions_, defines_, texts_);
+  }
+
+ private:
+  std::string functions_;
+  std::string defines_;
+  std::string texts_;
+};
+
+class FileShadersWriter {
+ public:
+  explicit FileShadersWriter(const Transfer& transfer) : transfer_(transfer) {
+    relight_.define("COUNT", coefficient_count(transfer.degree()));
+  }
+
+  FileShaders run() {
+    transfer_.kind->is_glossy() ? add_glossy() : add_diffuse();
+    shaders_.relight = relight_.text(transfer_);
+    return std::move(shaders_);
+  }
+
+ private:
+  /// Writes a pass in which the light meets clusters, if rows are clustered; `write` adds what meets it. Without clusters
+  /// `write` adds to the relighting shader itself.
+  template <class Write>
+  void meet(const TransferShape& shape, std::size_t given, std::string_view prefix, const Write& write) {
+    if (!shape.storage.is_clustered()) return write(relight_);
+    const std::size_t parts = (3 * given + 3) / 4;
+    const std::size_t rows = shape.stored_rows(0);
+    ShaderWriter lit;
+    lit.define("COUNT", coefficient_count(transfer_.degree()));
+    lit.define("NUMBERS", 3 * given);
+    lit.define("LIT_PART", 1);
+    write(lit);
+    lit.add("lit.glsl");
+    if (shaders_.lit.empty()) relight_.define("NUMBERS", transfer_.kind->is_glossy() ? "(3 * COUNT)" : "3");
+    relight_.define(fmt::format("{}LIT_PART", prefix), 1);
+    relight_.define(fmt::format("{}CLUSTER_ROWS", prefix), rows);
+    relight_.define(fmt::format("{}VECTORS", prefix), shape.storage.vectors);
+    shaders_.lit.push_back({lit.text(transfer_), prefix.empty() ? "lit" : "lit_matrices", rows, parts});
+  }
+
+  void define_kept(ShaderWriter& shader) const {
+    const std::vector<std::uint32_t>& kept = transfer_.shape.storage.kept;
+    shader.define("KEPT_COUNT", kept.empty() ? transfer_.shape.columns() : kept.size());
+    if (!kept.empty()) {
+      shader.declare(fmt::format("const int kept[{0}] = int[{0}]({1});\n", kept.size(), fmt::join(kept, ", ")));
+    }
+    shader.define("KEPT(k)", kept.empty() ? "(k)" : "kept[k]");
+  }
+
+  void add_diffuse() {
+    const TransferShape& shape = transfer_.shape;
+    const bool is_clustered = shape.storage.is_clustered();
+    meet(shape, 1, "", [&](ShaderWriter& shader) {
+      const std::size_t channels = shape.storage.one_channel ? 1 : shape.channels;
+      shader.define("CHANNELS", channels);
+      define_kept(shader);
+      shader.use("RELIGHT", channels == 3 ? "relight_colored" : "relight_rgb", shape.degree);
+      shader.add("row_sums.glsl");
+      if (is_clustered) shader.add("light_row_diffuse.glsl");
+    });
+    if (is_clustered) {
+      relight_.add("clusters.glsl");
+      relight_.add("mixed_rows.glsl");
+    }
+    if (!shape.holds_albedo) relight_.declare("#define RECOLORABLE\n");
+    relight_.add("relight_rows.vert");
+  }
+
+  void add_glossy() {
+    const TransferShape& shape = transfer_.shape;
+    const TransferShape& matrices = transfer_.indirect_shape;
+    const bool has_matrices = transfer_.kind->stores_matrices();
+    const auto direct = [&](ShaderWriter& shader) { add_visibility(shader); };
+    const auto indirect = [&](ShaderWriter& shader) { add_matrices(shader); };
+    const bool meets_light = !shape.storage.is_clustered() || (has_matrices && !matrices.storage.is_clustered());
+    meet(shape, coefficient_count(transfer_.degree()), "", [&](ShaderWriter& shader) {
+      direct(shader);
+      if (&shader == &relight_) return;
+      shader.add("glossy_light.glsl");
+      shader.add("light_row_direct.glsl");
+    });
+    if (has_matrices) {
+      meet(matrices, matrices.rows(), "MATRIX_", [&](ShaderWriter& shader) {
+        indirect(shader);
+        if (&shader == &relight_) return;
+        shader.add("glossy_light.glsl");
+        shader.add("light_row_matrix.glsl");
+      });
+      relight_.define("MATRIX_ROWS", matrices.rows());
+    }
+    if (meets_light) relight_.add("glossy_light.glsl");
+    if (!shaders_.lit.empty()) relight_.add("clusters.glsl");
+    relight_.add("glossy.vert");
+    add_surfaces();
+    relight_.add("glossy_relight.vert");
+  }
+
+  void add_visibility(ShaderWriter& shader) const {
+    if (transfer_.shape.meets == Meets::kNothing) return;
+    shader.define("ROW", transfer_.shape.columns());
+    define_kept(shader);
+    if (transfer_.shape.storage.element == Element::kByte) {
+      shader.declare("uniform float row_scale[KEPT_COUNT];\n#define ROW_SCALE 1\n");
+    }
+    shader.define("SAMPLES", sample_count(transfer_.degree()));
+    shader.use("APPLY", "transfer_apply_rgb", transfer_.degree());
+  }
+
+  void add_matrices(ShaderWriter& shader) const {
+    const TransferShape& matrices = transfer_.indirect_shape;
+    shader.define("MATRIX_CHANNELS", matrices.channels);
+    shader.define("MATRIX_COLUMNS", matrices.columns());
+    if (&shader != &relight_) shader.define("MATRIX_ROWS", matrices.rows());
+    shader.use("MATRIX_ROW", matrices.channels == 3 ? "relight_colored" : "relight_rgb", matrices.degree);
+  }
+
+  void add_surfaces() {
+    const int degree = transfer_.degree();
+    relight_.use("GATHER", "relight_rgb", degree);
+    relight_.define("BANDS", degree + 1);
+    std::vector<double> cosine;
+    for (int l = 0; l <= degree; ++l) {
+      cosine.push_back(zonal_unit(l) * numeric::clamped_cosine_factor<double>(l) / std::numbers::pi);
+    }
+    relight_.define("COSINE", fmt::format("float[{}]({:.9e})", cosine.size(), fmt::join(cosine, ", ")));
+    relight_.use("ZONAL", "zonal", degree);
+    relight_.add("lobes.glsl");
+    if (transfer_.mesh.brdfs.heads.empty()) return;
+    relight_.define("VIEWS", kViews);
+    relight_.define("EVEN", even_count(degree));
+    relight_.use("ROTATE", "rotate", degree);
+    relight_.add("brdfs.glsl");
+  }
+
+  const Transfer& transfer_;
+  ShaderWriter relight_;
+  FileShaders shaders_;
+};
+
+}  // namespace
+
+FileShaders file_shaders(const Transfer& transfer) { return FileShadersWriter(transfer).run(); }
+
+}  // namespace sh::prt

@@ -1,0 +1,36 @@
+// The vertex shaders that relight one transfer file from its numbers as they are stored: the texts of prt/shaders with
+// generated functions of any degree. `prt emit` writes shaders with functions of its own for the file's nonzero numbers.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "prt/transfer/transfer.hpp"
+
+namespace sh::prt {
+
+/// A pass before relighting, in which the light meets the means and vectors of clusters (prt/shaders/lit.glsl): `rows`
+/// points in `parts` instances, each of which writes one vec4.
+struct LitPass {
+  std::string shader;
+  std::string texture;  // that the other shader reads: lit or lit_matrices
+  std::size_t rows = 0;
+  std::size_t parts = 0;
+};
+
+struct FileShaders {
+  std::string relight;  // writes `radiance` of a vertex
+  std::vector<LitPass> lit;
+};
+
+/// GLSL ES 3.00, for a transfer with this kind, these shapes and materials. Textures: `transfer` or `rows`, `matrices`,
+/// `tables`, `weights`, `matrix_weights`; numbers of 8 bits are R8_SNORM. Diffuse light takes the scale of 8-bit numbers
+/// times 127; visibility has the uniform `row_scale` for it.
+FileShaders file_shaders(const Transfer& transfer);
+
+/// 8 n^2 + 4, or 1 at degree 0: the numbers of a light that transfer_prepare makes.
+constexpr std::size_t sample_count(int degree) {
+  return degree == 0 ? 1 : 8 * static_cast<std::size_t>(degree * degree) + 4;
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,261 @@
+#include "prt/view/page.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "prt/light/light_shapes.hpp"
+#include "prt/light/window.hpp"
+#include "prt/runtime/file_shaders.hpp"
+#include "prt/runtime/shader_texts.hpp"
+#include "prt/transfer/transfer_file.hpp"
+
+namespace sh::prt {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace std::string_view_literals;
+
+constexpr std::pair<std::string_view, std::string_view> kTexts[] = {
+#include "view_texts.inc"
+};
+
+/// In the order in which they need each other.
+constexpr std::string_view kModule[] = {"checksum.js", "transfer_file.js", "kernels.js", "relight.js"};
+constexpr std::string_view kPage[] = {"light.js", "camera.js", "state.js", "pick.js", "picture.js",
+                                      "ball.js",  "input.js",  "panel.js", "main.js"};
+constexpr std::string_view kShaders[] = {"tone.glsl", "picture.vert", "picture.frag", "ball.vert", "ball.frag"};
+
+std::string_view text_of(std::string_view file) {
+  return std::find_if(std::begin(kTexts), std::end(kTexts), [&](const auto& text) { return text.first == file; })
+      ->second;
+}
+
+/// Calls visit(line) for the lines of a text, with their ends.
+template <class Visit>
+void for_lines(std::string_view text, const Visit& visit) {
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find('\n'), text.size() - 1) + 1;
+    visit(text.substr(0, length));
+    text.remove_prefix(length);
+  }
+}
+
+/// Modules one below the other: without the lines that import, and with the word `export` or without.
+template <std::size_t Count>
+std::string joined(const std::string_view (&files)[Count], bool exports) {
+  constexpr std::string_view kExport = "export ";
+  std::string all;
+  for (const std::string_view file : files) {
+    for_lines(text_of(file), [&](std::string_view line) {
+      if (line.starts_with("import ")) return;
+      all += !exports && line.starts_with(kExport) ? line.substr(kExport.size()) : line;
+    });
+  }
+  return all;
+}
+
+std::string base64(std::string_view bytes) {
+  using namespace boost::archive::iterators;
+  using Letters = base64_from_binary<transform_width<std::string_view::const_iterator, 6, 8>>;
+  std::string out(Letters(bytes.begin()), Letters(bytes.end()));
+  out.append((3 - bytes.size() % 3) % 3, '=');
+  return out;
+}
+
+/// In the format of gzip, without a date.
+std::string compressed(const std::string& bytes) {
+  constexpr int kGzip = 16 + MAX_WBITS;
+  z_stream stream{};
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzip, MAX_MEM_LEVEL, Z_DEFAULT_STRATEGY) != Z_OK) {
+    throw std::runtime_error("zlib: cannot compress");
+  }
+  std::string out(deflateBound(&stream, bytes.size()), '\0');
+  std::string in = bytes;  // zlib wants it mutable
+  stream.next_in = reinterpret_cast<Bytef*>(in.data());
+  stream.avail_in = static_cast<uInt>(in.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  const int done = deflate(&stream, Z_FINISH);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  if (done != Z_STREAM_END) throw std::runtime_error("zlib: cannot compress");
+  return out;
+}
+
+/// JSON that may stand in a script of HTML.
+std::string script_of(const Json& json) {
+  std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos;) text.replace(at, 2, "<\\/");
+  return text;
+}
+
+/// Without the comments: the functions alone.
+std::string without_comments(std::string_view text) {
+  std::string out;
+  for_lines(text, [&](std::string_view line) {
+    const std::string_view code = line.substr(0, std::min(line.find("//"), line.size()));
+    if (code.find_first_not_of(" \n") != std::string_view::npos)
+      out.append(code).append(code.ends_with('\n') ? "" : "\n");
+  });
+  return out;
+}
+
+/// What the shaders of a file depend on, as relight.js looks at its header.
+Json needs_of(const Transfer& transfer) {
+  const Json header = Json::parse(transfer_header(transfer));
+  const auto without_error = [&](const char* key) {
+    Json json = header.value(key, Json());
+    if (json.is_object()) json.erase("error");
+    return json;
+  };
+  return {{"kind", header["kind"]},
+          {"degree", header["degree"]},
+          {"storage", without_error("storage")},
+          {"indirect", without_error("indirect")},
+          {"brdfs", header.contains("brdfs")}};
+}
+
+Json shaders_of(const Transfer& transfer) {
+  const FileShaders shaders = file_shaders(transfer);
+  Json lit = Json::array();
+  for (const LitPass& pass : shaders.lit) {
+    lit.push_back({{"shader", pass.shader}, {"texture", pass.texture}, {"rows", pass.rows}, {"parts", pass.parts}});
+  }
+  return {{"needs", needs_of(transfer)}, {"relight", shaders.relight}, {"lit", lit}};
+}
+
+void add_kernels(std::initializer_list<std::string_view> families, int degree, Json& kernels) {
+  for (const std::string_view family : families) {
+    const std::string name = kernel_name(family, degree);
+    kernels[name] = without_comments(shader_text(name + ".glsl"));
+  }
+}
+
+/// The functions with which JavaScript makes uniforms of a light.
+void add_kernels_of_uniforms(const Transfer& transfer, Json& kernels) {
+  if (transfer.kind->stores_visibility()) add_kernels({"transfer_prepare"}, transfer.degree(), kernels);
+}
+
+/// All that the page needs for its lights and its drawings of functions on the sphere.
+Json kernels_of_page(const std::vector<ViewedFile>& files, int degree) {
+  Json kernels = Json::object();
+  add_kernels({"rotate", "add_cap_rgb", "basis", "evaluate_rgb"}, degree, kernels);
+  if (degree > 0) {
+    add_kernels(
+        {"window_hann", "window_lanczos", "window_lanczos2", "window_lanczos4", "window_laplacian", "window_gaussian"},
+        degree, kernels);
+  }
+  for (const ViewedFile& file : files) {
+    add_kernels({"rotate"}, file.transfer.degree(), kernels);
+    add_kernels({"evaluate_rgb"}, file.transfer.shape.function_degree(), kernels);
+    add_kernels_of_uniforms(file.transfer, kernels);
+  }
+  return kernels;
+}
+
+Json skies() {
+  Json all = Json::array();
+  for (int type = 1; type <= kSkyTypes; ++type) {
+    const SkyParameters& sky = sky_parameters(type);
+    all.push_back({sky.a, sky.b, sky.c, sky.d, sky.e});
+  }
+  return all;
+}
+
+/// The factors of the window `fejer` of strength 1, for each degree of a light.
+Json fejer_kernels(int degree) {
+  Json all = Json::array();
+  for (int n = 0; n <= degree; ++n) all.push_back(window_factors({WindowType::kFejer, 1.0}, n));
+  return all;
+}
+
+Json json_of(const ViewedLight& light) {
+  Json coefficients = Json::array();
+  for (int channel = 0; channel < 3; ++channel) {
+    const double* first = &light.coefficients.at(channel, 0);
+    coefficients.push_back(std::vector<double>(first, first + light.coefficients.bands_squared()));
+  }
+  return {{"name", light.name}, {"degree", light.coefficients.degree}, {"coefficients", coefficients}};
+}
+
+Json json_of(const Camera& camera) {
+  const auto xyz = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+  return {{"position", xyz(camera.position)},
+          {"target", xyz(camera.target)},
+          {"up", xyz(camera.up)},
+          {"field_of_view", camera.vertical_field_of_view}};
+}
+
+Json json_of(const ViewedFile& file, FilesOfPage where, std::size_t number) {
+  Json json = {{"name", file.name}, {"bytes", file.bytes.size()}};
+  json.update(shaders_of(file.transfer));
+  if (where == FilesOfPage::kServed) {
+    json["url"] = fmt::format("file/{}", number);
+  } else {
+    json["data"] = base64(compressed(file.bytes));
+  }
+  return json;
+}
+
+/// The template with `value` in place of {{name}}.
+void fill(std::string_view name, std::string_view value, std::string& page) {
+  const std::string mark = fmt::format("{{{{{}}}}}", name);
+  page.replace(page.find(mark), mark.size(), value);
+}
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+  return out;
+}
+
+}  // namespace
+
+std::string viewer_page(const std::vector<ViewedFile>& files, const ViewedLight& light,
+                        const std::optional<Camera>& camera, FilesOfPage where) {
+  if (files.empty()) throw std::invalid_argument("a viewer without files: expected one or more");
+  std::size_t bytes = 0;
+  for (const ViewedFile& file : files) bytes += file.bytes.size();
+  if (where == FilesOfPage::kInside && bytes > kMostEmbedded) {
+    throw std::invalid_argument(
+        fmt::format("{} bytes of transfer files: a page holds at most {}; use --serve, or bake with `--compress 128 8`",
+                    bytes, kMostEmbedded));
+  }
+  const int degree = light.coefficients.degree;
+  Json data = {{"degree", degree},
+               {"light", json_of(light)},
+               {"skies", skies()},
+               {"fejer", fejer_kernels(degree)},
+               {"kernels", kernels_of_page(files, degree)}};
+  for (const std::string_view shader : kShaders) data["shaders"][std::string(shader)] = text_of(shader);
+  if (camera) data["camera"] = json_of(*camera);
+  for (std::size_t i = 0; i < files.size(); ++i) data["files"].push_back(json_of(files[i], where, i));
+  std::string page(text_of("index.html"));
+  fill("style", text_of("style.css"), page);
+  fill("modules", joined(kModule, false) + joined(kPage, false), page);
+  fill("data", script_of(data), page);
+  fill("title", escaped(files.front().transfer.scene), page);
+  return page;
+}
+
+std::string viewer_module(const Transfer& transfer) {
+  Json kernels = Json::object();
+  add_kernels({"rotate"}, transfer.degree(), kernels);
+  add_kernels_of_uniforms(transfer, kernels);
+  return fmt::format(
+      "// `prt view`: reads and relights transfer files of kind {} and degree {}; relight.d.ts has the types.\n{}\n"
+      "/** What `load` takes: the shaders of these files, and the functions that make their uniforms. */\n"
+      "export const runtime = {};\n",
+      transfer.kind->letters, transfer.degree(), joined(kModule, true),
+      Json{{"shaders", shaders_of(transfer)}, {"kernels", kernels}}.dump(2));
+}
+
+}  // namespace sh::prt

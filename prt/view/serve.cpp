@@ -1,0 +1,60 @@
+#include "prt/view/serve.hpp"
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "numeric/output/progress.hpp"
+
+namespace sh::prt {
+namespace {
+
+constexpr const char* kHost = "127.0.0.1";
+
+bool is_of_this_machine(const httplib::Request& request) {
+  const std::string host = request.get_header_value("Host");
+  const std::string name = host.substr(0, host.find(':'));
+  return name == kHost || name == "localhost";
+}
+
+void answer_with(httplib::Server& server, const std::string& path, const std::string& bytes, const char* type) {
+  server.Get(path, [&bytes, type](const httplib::Request& /*request*/, httplib::Response& response) {
+    response.set_header("Cache-Control", "no-store");
+    response.set_content(bytes, type);
+  });
+}
+
+}  // namespace
+
+void serve_page(const std::string& page, const std::vector<ViewedFile>& files, int port,
+                const std::function<void(const std::string& address)>& ready) {
+  httplib::Server server;
+  server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
+    if (is_of_this_machine(request)) return httplib::Server::HandlerResponse::Unhandled;
+    response.status = 403;
+    return httplib::Server::HandlerResponse::Handled;
+  });
+  answer_with(server, "/", page, "text/html; charset=utf-8");
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    answer_with(server, fmt::format("/file/{}", i), files[i].bytes, "application/octet-stream");
+  }
+  const int bound = port == 0 ? server.bind_to_any_port(kHost) : server.bind_to_port(kHost, port) ? port : -1;
+  if (bound < 0)
+    throw std::runtime_error(fmt::format("--port {}: cannot listen there; expected a port that is free", port));
+  std::thread answering([&] { server.listen_after_bind(); });
+  ready(fmt::format("http://{}:{}/", kHost, bound));
+  try {
+    while (true) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      output::check_interrupt();
+    }
+  } catch (const output::Interrupted&) {  // the way to end
+    server.stop();
+    answering.join();
+  }
+}
+
+}  // namespace sh::prt

@@ -1,0 +1,17 @@
+// Serves a page and its files to browsers of this machine alone.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "prt/view/page.hpp"
+
+namespace sh::prt {
+
+/// Listens on 127.0.0.1, calls ready(address), such as http://127.0.0.1:8080/, and answers until a signal asks to stop. Port
+/// 0 takes any that is free. Requests by another name than 127.0.0.1 or localhost are refused. Throws std::runtime_error, one
+/// line, if the port is taken.
+void serve_page(const std::string& page, const std::vector<ViewedFile>& files, int port,
+                const std::function<void(const std::string& address)>& ready);
+
+}  // namespace sh::prt

@@ -1,0 +1,46 @@
+// Draws functions on the sphere: the light as a ball or as the background, transfer as a lobe.
+import { programOf } from './relight.js';
+
+const kColumns = 96, kRows = 48;
+const kHead = '#version 300 es\n';
+
+export class Balls {
+  constructor(gl, shaders, kernelTexts) {
+    this.gl = gl;
+    this.shaders = shaders;
+    this.kernelTexts = kernelTexts;
+    this.programs = new Map();
+    this.arrays = gl.createVertexArray();
+  }
+
+  programFor(degree) {
+    if (!this.programs.has(degree)) {
+      const name = `evaluate_rgb_l${degree}`;
+      const defines = `#define COUNT ${(degree + 1) ** 2}\n#define EVALUATE ${name}\n#define COLUMNS ${kColumns}\n#define ROWS ${kRows}\n`;
+      this.programs.set(degree, programOf(this.gl,
+        `${kHead}precision highp float;\nprecision highp int;\n${this.kernelTexts[name]}${defines}${this.shaders['ball.vert']}`,
+        `${kHead}${this.shaders['tone.glsl']}${this.shaders['ball.frag']}`));
+    }
+    return this.programs.get(degree);
+  }
+
+  /** `light` is {degree, values (3, bands^2)}; lobe: 0 for a ball, else the factor on the distance from the middle. */
+  draw(light, { toClip, exposure, tone, lobe = 0, accent = [0, 0, 0], depth = true }) {
+    const gl = this.gl;
+    const program = this.programFor(light.degree);
+    const at = (name) => gl.getUniformLocation(program, name);
+    const n = light.values.length / 3;
+    gl.useProgram(program);
+    gl.uniform3fv(at('coefficients'), Float32Array.from(light.values, (_, i) => light.values[(i % 3) * n + Math.floor(i / 3)]));
+    gl.uniformMatrix4fv(at('to_clip'), false, toClip);
+    gl.uniform1f(at('lobe'), lobe);
+    gl.uniform1f(at('exposure'), exposure);
+    gl.uniform1i(at('tone'), ['neutral', 'reinhard', 'linear'].indexOf(tone));
+    gl.uniform1i(at('mode'), lobe > 0 ? 1 : depth ? 0 : 2);
+    gl.uniform3fv(at('accent'), accent);
+    gl.bindVertexArray(this.arrays);
+    depth ? gl.enable(gl.DEPTH_TEST) : gl.disable(gl.DEPTH_TEST);
+    gl.drawArrays(gl.TRIANGLES, 0, 6 * kColumns * kRows);
+    gl.bindVertexArray(null);
+  }
+}

@@ -1,0 +1,140 @@
+// What the tests share: the tool `prt`, a browser, and pages in it whose errors fail the test.
+import { execFileSync, spawnSync } from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const kPrt = path.join(process.env.SHFORGE_BIN_DIR ?? 'build/bin', 'prt');
+export const kChromium = process.env.SHFORGE_CHROMIUM ?? '/usr/bin/chromium';
+export const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'shforge-view-'));
+process.on('exit', () => fs.rmSync(folder, { recursive: true, force: true }));
+
+export const inFolder = (name) => path.join(folder, name);
+
+/** Runs prt in the folder of the tests; what it prints. */
+export function prt(...words) {
+  return execFileSync(kPrt, words.map(String), { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+}
+
+/** The line with which prt refuses, without its own name; its exit code has to be 2. */
+export function refusal(...words) {
+  const run = spawnSync(kPrt, words.map(String), { cwd: folder, encoding: 'utf8' });
+  if (run.status !== 2) throw new Error(`prt ${words.join(' ')}: exit code ${run.status}, ${run.stderr}`);
+  return run.stderr.trim().replace(/^prt: /, '');
+}
+
+export function writeJson(name, json) {
+  fs.writeFileSync(inFolder(name), JSON.stringify(json));
+  return name;
+}
+
+/** A box on a ground, few vertices; `changes` go into its first mesh and its bake. */
+export function scene(name, { mesh = {}, bake = {}, lights, camera } = {}) {
+  return writeJson(name, {
+    name: name.replace('.json', ''),
+    meshes: [
+      { primitive: 'box', albedo: [0.8, 0.5, 0.25], max_edge: 0.5, transform: { rotate: { degrees: 25 }, translate: [0, 0, 0.5] }, ...mesh },
+      { primitive: 'torus', segments: 12, albedo: [0.2, 0.4, 0.7], transform: { scale: 0.9, translate: [1.1, -0.3, 0.3] }, ...mesh },
+    ],
+    ground: { height: 0, size: 4, albedo: [0.6, 0.6, 0.55], max_edge: 0.5 },
+    ...(lights ? { lights } : {}),
+    ...(camera ? { camera } : {}),
+    bake: { degree: 4, directions: 512, ...bake },
+  });
+}
+
+/** Radiance of the vertices in a PLY file of `prt relight`: (vertices, 3). */
+export function radianceOfPly(name) {
+  const bytes = fs.readFileSync(inFolder(name));
+  const end = bytes.indexOf('end_header\n') + 'end_header\n'.length;
+  const header = bytes.subarray(0, end).toString('latin1');
+  const vertices = Number(/element vertex (\d+)/.exec(header)[1]);
+  const properties = [...header.split('element face')[0].matchAll(/property (float|double) (\w+)/g)];
+  const sizes = properties.map(([, type]) => (type === 'float' ? 4 : 8));
+  const stride = sizes.reduce((sum, size) => sum + size, 0);
+  const offsets = ['red', 'green', 'blue'].map((color) => {
+    const at = properties.findIndex(([, , property]) => property === color);
+    return sizes.slice(0, at).reduce((sum, size) => sum + size, 0);
+  });
+  return Float32Array.from({ length: 3 * vertices }, (_, i) => bytes.readFloatLE(end + Math.floor(i / 3) * stride + offsets[i % 3]));
+}
+
+export function largestDifference(a, b) {
+  if (a.length !== b.length) throw new Error(`${a.length} numbers beside ${b.length}`);
+  return a.reduce((most, value, i) => Math.max(most, Math.abs(value - b[i])), 0);
+}
+
+/** The largest difference over the larger of 1 and the largest number of b. */
+export function relativeDifference(a, b) {
+  return largestDifference(a, b) / b.reduce((most, value) => Math.max(most, Math.abs(value)), 1);
+}
+
+let browser;
+
+export async function startBrowser() {
+  browser = await chromium.launch({
+    executablePath: kChromium,
+    args: ['--no-sandbox', '--headless', '--disable-background-networking', '--disable-component-update', '--disable-extensions', '--disable-sync', '--no-first-run'],
+  });
+}
+
+export const stopBrowser = () => browser?.close();
+
+/**
+ * Opens a page of the folder, calls use(page), closes it. Fails on errors of its console, on exceptions, and on any request
+ * that leaves the page.
+ */
+export async function withPage(name, use, options) {
+  return withUrl(pathToFileURL(inFolder(name)).href, use, { isOwn: (url) => /^(file|data|blob):/.test(url), ...options });
+}
+
+/** The same, as if a server had the folder, and `files` {name: path} besides. Nothing listens: the browser asks the test. */
+export async function withServedPage(name, files, use, options) {
+  const host = 'http://folder.test/';
+  const serve = (route) => {
+    const file = new URL(route.request().url()).pathname.slice(1);
+    const found = files[file] ?? inFolder(file);
+    return route.fulfill({ path: found instanceof URL ? fileURLToPath(found) : found });
+  };
+  return withUrl(host + name, use, { isOwn: (url) => url.startsWith(host) || /^(data|blob):/.test(url), serve, ...options });
+}
+
+async function withUrl(url, use, { isOwn, serve, hash = '', width = 800, height = 480, ...more } = {}) {
+  const context = await browser.newContext({ viewport: { width, height }, ...more });
+  const page = await context.newPage();
+  const errors = [];
+  page.on('console', (message) => { if (message.type() === 'error') errors.push(message.text()); });
+  page.on('pageerror', (error) => errors.push(String(error.stack ?? error)));
+  page.on('request', (request) => { if (!isOwn(request.url())) errors.push(`asks for ${request.url()}`); });
+  if (serve) await page.route('**/*', serve);
+  try {
+    await page.goto(url + hash);
+    await page.waitForFunction(() => document.documentElement.dataset.ready === 'true').catch((error) => errors.push(error.message));
+    const result = errors.length > 0 ? undefined : await use(page);
+    if (errors.length > 0) throw new Error(`the page reports: ${errors.join('; ')}`);
+    return result;
+  } finally {
+    await context.close();
+  }
+}
+
+/** Changes the state of the page and waits for its picture. */
+export async function set(page, changes) {
+  await page.evaluate((entries) => new Promise((done) => {
+    viewer.set(entries);
+    requestAnimationFrame(() => requestAnimationFrame(done));
+  }), changes);
+}
+
+/** Radiance of the vertices of a file, from the GPU. */
+export async function radianceOf(page, file = 0) {
+  const values = await page.evaluate((index) => {
+    viewer.relight(index);
+    return [...viewer.fileMeshes[index].relighter.read()];
+  }, file);
+  return Float32Array.from(values);
+}
+
+export const message = (page) => page.textContent('#message');
