@@ -114,6 +114,7 @@ class Bounces {
     const double rate = report.spectral_bound;
     const double enough = options.tolerance;
     if (now == 0.0 || (rate < 1.0 && report.residual <= enough)) return true;
+    if (report.applications >= options.most_applications) return true;
     if (std::chrono::steady_clock::now() >= options.deadline) return true;
     const double left = rate < 1.0 ? std::log(enough / report.residual) / std::log(rate) : kMostBounces;
     if (report.applications >= kBouncesBeforeJudgment && report.applications + left > kMostBounces) {

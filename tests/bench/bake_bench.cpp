@@ -1,11 +1,12 @@
 // The time of baking the embedded scene with one thread: rays against tracing alone, bounces against the pass that
 // finds the visible surfaces, and the whole bake in seconds. Bake and control take turns in one process, and the least
-// time of each counts. Usage: bake_bench [rays|bounces|whole]..., by default all. Exit 0 whether targets are met or
-// not.
+// time of each counts. Usage: bake_bench [rays|bounces|glossy|whole]..., by default all. Exit 0 whether targets are met
+// or not.
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <ctime>
 #include <exception>
 #include <limits>
@@ -15,6 +16,7 @@
 
 #include "prt/bake/bake.hpp"
 #include "prt/bake/bounces.hpp"
+#include "prt/bake/glossy_bounces.hpp"
 #include "prt/bake/shadow_pass.hpp"
 #include "prt/scene/scene.hpp"
 #include "prt/transfer/unshadowed.hpp"
@@ -32,7 +34,9 @@ constexpr std::size_t kStreamRays = 1024;
 constexpr int kPasses = 7;
 constexpr double kMilli = 1e3;
 constexpr double kOfTracing = 1.0 / 0.9;  // at least 90 % of its rays a second
+constexpr double kOfTracingGlossy = 1.0 / 0.85;
 constexpr double kOfFirstPass = 0.25;
+constexpr double kGlossyOfFirstPass = 3.0;
 constexpr double kWholeSeconds = 10.0;
 
 template <class Work>
@@ -77,9 +81,10 @@ void trace(const Tracer& tracer, std::vector<std::vector<ShadowRay>>& rays) {
 }
 
 // `traced` is nothing but Embree over prebuilt, culled rays; `baked` makes the same rays, traces and sums them.
-void rays_at(Table& table, int degree) {
+void rays_at(Table& table, const TransferKind& kind, int degree, double target) {
   Scene scene = load_scene("demo", OnFlaw::kMend);
   scene.bake.degree = degree;
+  scene.bake.kind = &kind;
   const RaySetup setup(scene.mesh, scene.bake, 1, "");
   Gatherer gatherer(scene.mesh, setup.starts, setup.tracer, setup.directions);
   std::vector<Group> groups = groups_of(scene.mesh, gatherer);
@@ -103,14 +108,16 @@ void rays_at(Table& table, int degree) {
     for (const auto& vertex : group.rays) count += vertex.size();
   }
   const double nano = 1e9 / static_cast<double>(count);
-  table.ratio("shadowed, degree " + std::to_string(degree), "ns/ray", baked * nano, traced * nano, "tracing alone",
-              kOfTracing);
+  table.ratio(std::string(kind.letters) + ", degree " + std::to_string(degree), "ns/ray", baked * nano, traced * nano,
+              "tracing alone", target);
 }
 
 void rays(Table& table) {
-  table.section("Rays of the shadowed bake", "the same rays; at least 90 % of rtcOccluded1M's speed is at most 1.11");
-  rays_at(table, 4);
-  rays_at(table, 10);
+  table.section("Rays of the shadowed bake",
+                "the same rays; at least 90 % of rtcOccluded1M's speed is at most 1.11, 85 % 1.18");
+  rays_at(table, kShadowed, 4, kOfTracing);
+  rays_at(table, kShadowed, 10, kOfTracing);
+  rays_at(table, kGlossyShadowed, 4, kOfTracingGlossy);
 }
 
 void bounces(Table& table) {
@@ -133,6 +140,31 @@ void bounces(Table& table) {
   table.ratio("one more bounce", "ms", bounce * kMilli, pass * kMilli, "first pass", kOfFirstPass);
 }
 
+// A bounce of matrices: the time of two of them without that of one, which holds the search for the hits, too.
+void glossy(Table& table) {
+  table.section("Bounces of glossy transfer, degree 4, matrices of 25 x 75", "512 directions; processor time");
+  Scene scene = load_scene("demo", OnFlaw::kMend);
+  scene.bake.kind = &kGlossyInterreflected;
+  scene.bake.directions = 512;
+  const std::size_t vertices = scene.mesh.positions.size();
+  scene.mesh.specular.assign(vertices, Eigen::Vector3f(0.3F, 0.25F, 0.2F));
+  scene.mesh.exponent.assign(vertices, 20.0F);
+  const RaySetup setup(scene.mesh, scene.bake, 1, "");
+  Transfer transfer = Transfer::of(kGlossyShadowed, scene.bake.degree);
+  transfer.coefficients = unshadowed_transfer(transfer.shape, scene.mesh);
+  ShadowResult found{transfer, std::vector<Sight>(vertices), nullptr};
+  Checkpoint none({}, "", found);
+  const double pass = processor_seconds([&] { ShadowPass(setup, {}, found).run(none); });
+  transfer.kind = &kGlossyInterreflected;
+  const auto bounced = [&](int times) {
+    return processor_seconds(
+        [&] { solve_glossy_bounces(setup, found, {}, SIZE_MAX, {.tolerance = 0.0, .most_applications = times}); });
+  };
+  const double once = bounced(1);
+  table.ratio("one more bounce, " + std::to_string(vertices) + " vertices", "s", bounced(2) - once, pass, "first pass",
+              kGlossyOfFirstPass);
+}
+
 // As `prt bake demo --plan MODE` does, but for its estimate and the file.
 double planned_seconds(PlanMode mode) {
   return processor_seconds([mode] {
@@ -153,7 +185,7 @@ void whole(Table& table) {
 
 int main(int argc, char** argv) {
   const std::vector<std::pair<std::string, void (*)(Table&)>> sections{
-      {"rays", rays}, {"bounces", bounces}, {"whole", whole}};
+      {"rays", rays}, {"bounces", bounces}, {"glossy", glossy}, {"whole", whole}};
   const std::vector<std::string> wanted(argv + 1, argv + argc);
   try {
     Table table;
