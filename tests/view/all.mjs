@@ -13,6 +13,6 @@ if (!existsSync(new URL('node_modules/playwright-core', import.meta.url))) lacks
 const { startBrowser, stopBrowser } = await import('./browser.mjs');
 before(startBrowser);
 after(stopBrowser);
-for (const file of process.argv.slice(2).length > 0 ? process.argv.slice(2) : ['relight', 'page', 'module']) {
+for (const file of process.argv.slice(2).length > 0 ? process.argv.slice(2) : ['relight', 'page', 'module', 'look']) {
   await import(`./${file}_test.mjs`);
 }

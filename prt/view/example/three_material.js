@@ -40,8 +40,10 @@ export function relitMesh(baked) {
   });
   const mesh = new THREE.Mesh(geometryOf(baked), material);
   mesh.onBeforeRender = (renderer, scene, camera) => {
-    uniforms.to_clip.value.multiplyMatrices(camera.projectionMatrix, mesh.modelViewMatrix);
+    const { to_clip: toClip } = uniforms;
+    toClip.value.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).multiply(mesh.matrixWorld);
     uniforms.eye.value.setFromMatrixPosition(camera.matrixWorld).applyMatrix4(mesh.matrixWorld.clone().invert());
+    material.uniformsNeedUpdate = true;
   };
   const setLight = (light) => {
     for (const [name, value] of Object.entries(uniformsOf(baked, light))) uniforms[name] = { value };

@@ -10,7 +10,7 @@ out vec4 color;
 void main() {
     vec3 shade = shown(value);
     bool is_negative = min(value.r, min(value.g, value.b)) < 0.0;
-    if (mode == 1) shade = (is_negative ? vec3(0.5) : accent) * (0.6 + 0.4 * facing);
+    if (mode == 1) shade = (is_negative ? vec3(0.5) : accent) * (0.35 + 0.65 * facing);
     bool is_stripe = fract((gl_FragCoord.x + gl_FragCoord.y) / 9.0) < 0.35;
     if (is_negative && mode == 1 && is_stripe) shade = vec3(0.12);
     if (is_negative && mode == 0) shade = vec3(is_stripe ? 0.95 : 0.08);

@@ -80,6 +80,8 @@ class Viewer {
     this.balls = new Balls(this.gl, this.data.shaders, this.data.kernels);
     const first = initialState({ degree: this.data.degree, fileCount: this.data.files.length });
     const orbit = this.data.camera ? orbitOf(this.data.camera) : defaultOrbit(this.bounds, this.aspect);
+    const kNarrow = 1.2;  // a camera of a scene sees less on a page that is higher than wide: it steps back
+    if (this.data.camera) orbit.distance *= Math.max(1, kNarrow / this.aspect);
     this.begin = { ...first, ...orbit };
     this.state = this.valid(stateOf(location.hash.slice(1), this.begin));
     this.panel = buildPanel(element('controls'), {
