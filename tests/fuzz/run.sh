@@ -18,13 +18,22 @@ longest() {
   esac
 }
 
+# How inputs are chosen: command lines add features so often that counting the rare ones costs an eighth of the time.
+schedule() {
+  case $1 in
+    command) echo 0 ;;
+    *) echo 1 ;;
+  esac
+}
+
 # For speed: short traces of allocations, a small quarantine, memory as it comes. Leaks are found where test_fuzz replays the inputs.
-export ASAN_OPTIONS=malloc_context_size=2:quarantine_size_mb=8:max_malloc_fill_size=0:detect_leaks=0
+export ASAN_OPTIONS=malloc_context_size=1:quarantine_size_mb=8:max_malloc_fill_size=0:detect_leaks=0
 found=0
 for target in "$@"; do
   work=$build/fuzz/$target
   mkdir -p "$work/inputs" "$work/findings"
   nice -n 19 "$build/bin/fuzz_$target" -seed=1 -max_total_time="$seconds" -max_len="$(longest "$target")" -timeout=60 \
+    -entropic="$(schedule "$target")" \
     -rss_limit_mb=4096 -detect_leaks=0 -reload=0 -close_fd_mask=3 -print_final_stats=1 \
     -artifact_prefix="$work/findings/" "$work/inputs" "$source/tests/data/fuzz/$target" > "$work/log" 2>&1 || found=1
   printf '%s: %s executions, %s, %s findings\n' "$target" \
