@@ -82,6 +82,14 @@ TEST(KeptBands, HaveTheBytesOfTheirNumbers) {
   EXPECT_EQ(keeping(whole, {8, 4, 4}).shape.storage.kept.size(), 0U);
 }
 
+TEST(KeptBands, LeaveOtherShapesAsTheyAre) {
+  for (const TransferKind* kind : {&kUnshadowed, &kShadowed, &kInterreflected, &kGlossyUnshadowed}) {
+    const TransferShape same = with_bands(kind->shape(4), {0, 0, 0});
+    EXPECT_TRUE(is_alike(same, kind->shape(4))) << kind->letters;
+    EXPECT_TRUE(same.storage.kept.empty()) << kind->letters;
+  }
+}
+
 TEST(KeptBands, AreReadAsTheyWereWritten) {
   const TemporaryFolder folder;
   const std::string file = folder.file("a.transfer");
