@@ -20,7 +20,8 @@ class Driver {
  public:
   Driver(const detail::Call<T>& call, const Plan<T>& plan) : call_(call), plan_(plan) {
     for (int j = 0; j < plan.inputs; ++j) take_input(j);
-    direct_out_ = (takes_records() || direct(call.out.data, call.out.layout, plan.out)) && !call.stream;
+    direct_out_ =
+        (takes_records() || direct(call.out.data, call.out.layout, plan.out)) && (!call.stream || takes_halves());
   }
 
   void run() {
@@ -49,6 +50,10 @@ class Driver {
     return plan_.kernel_records != nullptr && call_.half == nullptr && call_.in[0].layout == Layout::kPlain &&
            call_.out.layout == Layout::kPlain;
   }
+
+  // Whether a kernel takes whole blocks of input 0 in half precision. It fetches its outputs ahead, which hides them
+  // behind its arithmetic; stores past the cache would hold up those of the next block.
+  bool takes_halves() const { return is_half(0) && direct_in_[0] && call_.in[0].layout != Layout::kShared; }
 
   T* take_room(std::size_t values) {
     T* room = room_;
@@ -163,7 +168,7 @@ class Driver {
     T* out = call_.out.data + first * block;
     blocks_.out_step = block;
     blocks_.out = direct_out_ ? out : room;
-    const bool halves = is_half(0) && direct_in_[0] && call_.in[0].layout != Layout::kShared && lanes == kBlock<T>;
+    const bool halves = takes_halves() && lanes == kBlock<T>;
     const bool records = takes_records() && lanes == kBlock<T>;
     (halves ? plan_.kernel_half : records ? plan_.kernel_records : kernel_)(blocks_);
     if (direct_out_) return;

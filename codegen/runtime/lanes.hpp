@@ -121,14 +121,27 @@ template <std::size_t... K, class Body>
   static_cast<void>(std::initializer_list<int>{(body(K), 0)...});  // a fold nests deeper than clang allows
 }
 
+// Fetches `lines` lines that a stream will need into the nearest cache, and those far behind them into the second one.
+// That takes more lines at a time than the nearest cache can wait for, and the processor's own prefetching lags behind.
+[[gnu::always_inline]] inline void prefetch_stream(const float* from, std::size_t lines) {
+  constexpr std::size_t kNear = 10240 / sizeof(float);
+  constexpr std::size_t kFar = 32768 / sizeof(float);
+  for (std::size_t k = 0; k < lines; ++k) {
+    __builtin_prefetch(from + kNear + k * kBlock<float>, 0, 3);
+    __builtin_prefetch(from + kFar + k * kBlock<float>, 0, 2);
+  }
+}
+
 // The same where input 0, Size values a record, is in half precision: `in[0]` and `step[0]` count two of them as one.
 template <int Inputs, int Size, class Kernel>
 [[gnu::always_inline]] inline void for_every_register_half(const Blocks<float>& blocks, const Kernel& kernel) {
   for (std::size_t b = 0; b < blocks.count; ++b) {
     const auto* halves = reinterpret_cast<const Half*>(blocks.in[0] + b * blocks.step[0]);
-    constexpr int kAhead = 8;  // blocks; the processor's own prefetching lags behind
-    unrolled(std::make_index_sequence<std::size_t(Size) / 2>(),
-             [&](std::size_t k) { __builtin_prefetch(halves + (kAhead * Size + 2 * k) * kBlock<float>); });
+    prefetch_stream(blocks.in[0] + b * blocks.step[0], (std::size_t(Size) + 1) / 2);
+    for (std::size_t k = 0; k < blocks.out_step; k += kBlock<float>) {
+      constexpr std::size_t kAhead = 3;  // blocks; a line that is there takes the results without waiting
+      __builtin_prefetch(blocks.out + (b + kAhead) * blocks.out_step + k, 1, 2);
+    }
     for (std::size_t lane = 0; lane < kBlock<float>; lane += Lanes<float>::kWidth) {
       Lanes<float> wide[Size];
       unrolled(std::make_index_sequence<std::size_t(Size)>(),
@@ -142,20 +155,9 @@ template <int Inputs, int Size, class Kernel>
   }
 }
 
-// Fetches `lines` lines that a stream will need into the nearest cache, and those far behind them into the second one.
-// That takes more lines at a time than the nearest cache can wait for, and the processor's own prefetching lags behind.
-[[gnu::always_inline]] inline void prefetch_stream(const float* from, std::size_t lines) {
-  constexpr std::size_t kNear = 10240 / sizeof(float);
-  constexpr std::size_t kFar = 32768 / sizeof(float);
-  for (std::size_t k = 0; k < lines; ++k) {
-    __builtin_prefetch(from + kNear + k * kBlock<float>, 0, 3);
-    __builtin_prefetch(from + kFar + k * kBlock<float>, 0, 2);
-  }
-}
-
-// The scalar products of plain records with input 1, as plain records. A record is Rows rows of Length values, at least 4, input 1 is Sums
-// of them: row r meets rows r Sums / Rows and up of input 1. Transposed columns stay in registers while they are added
-// up, in their order, so that the bits are those of a plain loop; two parts by turns hide the time of an addition.
+// The scalar products of plain records, Rows rows of Length >= 4 values each, with input 1, Sums rows: row r meets rows
+// r Sums / Rows and up of it. Out: plain records. Transposed columns stay in registers while they are added up, in their
+// order, so that the bits are those of a plain loop; two parts by turns hide the time of an addition.
 template <int Rows, int Sums, std::size_t Length>
 void multiply_records(const Blocks<float>& blocks) {
   constexpr std::size_t kParts = 2;

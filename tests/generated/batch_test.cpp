@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 
 #include "tests/generated/batch_support.hpp"
@@ -181,6 +182,58 @@ TYPED_TEST(BatchDrivers, GiveTheSameBitsPastTheCache) {
       for (std::size_t k = 0; k < size; ++k) ASSERT_EQ(out.at(i, k), alone[k]) << i;
     }
   }
+}
+
+// The first value of a vector at 64 bytes; the vector has to be 64 bytes longer than what is used.
+template <class T>
+T* aligned(std::vector<T>& values) {
+  void* first = values.data();
+  std::size_t bytes = values.size() * sizeof(T);
+  return static_cast<T*>(std::align(64, 1, first, bytes));
+}
+
+// Calls run(first record, records) for all at once and for parts, and expects the same `values` floats a record.
+template <class Run>
+void expect_as_in_parts(std::size_t n, std::size_t values, const Run& run) {
+  constexpr std::size_t kPart = 1024 * batch::kBlock<float>;
+  const std::size_t size = batch::blocked_size<float>(n, values);
+  std::vector<float> whole(size + batch::kBlock<float>);
+  std::vector<float> parts(whole.size());
+  run(0, n, aligned(whole));
+  for (std::size_t first = 0; first < n; first += kPart) {
+    run(first, std::min(kPart, n - first), aligned(parts) + first * values);
+  }
+  EXPECT_TRUE(std::equal(aligned(whole), aligned(whole) + size, aligned(parts)));
+}
+
+// Outputs of more than 24 MB do not take the same way as those that stay in the caches.
+TEST(Batch, OutputsThatOutgrowTheCachesHaveTheBitsOfTheirParts) {
+  constexpr std::size_t kRows = 2'200'013;
+  constexpr std::size_t kVisible = 540'011;
+  const std::vector<float> light{0.5F, -0.25F, 2.0F, 1.0F, 3.0F, 0.75F, -1.0F, 0.5F, 0.125F, 1.5F, -2.0F, 0.25F};
+  std::vector<float> samples(36);
+  for (std::size_t k = 0; k < samples.size(); ++k) samples[k] = 0.01F * static_cast<float>(k);
+  std::vector<float> rows(batch::blocked_size<float>(kRows, 4));
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = 0.001F * static_cast<float>(k % 1009);
+  std::vector<batch::Half> half_room(batch::blocked_size<float>(kVisible, 9) + 32);
+  batch::Half* halves = aligned(half_room);
+  for (std::size_t k = 0; k + 32 < half_room.size(); ++k) halves[k] = static_cast<batch::Half>(0x3000 + k % 1013);
+  on_every_set([&] {
+    expect_as_in_parts(kRows, 3, [&](std::size_t first, std::size_t n, float* out) {
+      batch::relight_rgb(1, n, batch::plain<const float>(&rows[first * 4]), light.data(), batch::plain(out));
+    });
+    expect_as_in_parts(kRows, 3, [&](std::size_t first, std::size_t n, float* out) {
+      batch::relight_rgb(1, n, batch::plain<const float>(&rows[first * 4]), light.data(), batch::blocked(out));
+    });
+    expect_as_in_parts(kVisible, 12, [&](std::size_t first, std::size_t n, float* out) {
+      batch::transfer_apply_rgb(1, n, batch::blocked<const batch::Half>(&halves[first * 9]), samples.data(),
+                                batch::blocked(out));
+    });
+    expect_as_in_parts(kVisible, 12, [&](std::size_t first, std::size_t n, float* out) {
+      batch::transfer_apply_rgb(1, n, batch::blocked<const batch::Half>(&halves[first * 9]), samples.data(),
+                                batch::plain(out));
+    });
+  });
 }
 
 TEST(Batch, RefusesWhatItCannotDoInOneLine) {

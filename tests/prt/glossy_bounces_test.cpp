@@ -182,6 +182,14 @@ TEST(GlossyBounces, EndOnTheirToleranceAndSaySo) {
   EXPECT_LE(coarse.bounces.residual, 1e-3);
 }
 
+TEST(GlossyBounces, EndAfterTheMostApplications) {
+  Scene scene = scene_of(bowl({0.8F, 0.6F, 0.3F}, 12.0F), &kGlossyInterreflected, 128, 2);
+  for (const int most : {1, 2}) {
+    scene.bake.bounces.most_applications = most;
+    EXPECT_EQ(bake(scene).bounces.applications, most);
+  }
+}
+
 TEST(GlossyBounces, EndWhenTheTimeIsOverAndSaySo) {
   Scene scene = scene_of(bowl({0.8F, 0.6F, 0.3F}, 12.0F), &kGlossyInterreflected, 128, 2);
   EXPECT_FALSE(bake(scene).missing.any());
