@@ -13,8 +13,9 @@
 
 namespace sh::prt {
 
-/// The highest degree of the generated kernels `transfer_prepare` and `transfer_apply`.
-inline constexpr int kHighestProduct = 4;
+/// The highest degree of a product of visibility and light (generated `transfer_apply`): visibility has twice the degree,
+/// and its basis ends at kMaxDegree.
+inline constexpr int kHighestProduct = 5;
 
 /// Calls work(std::integral_constant<int, degree>()), so that `sh::basis<d()>` and its like can be called with its
 /// argument d. Precondition: 0 <= degree <= kMaxDegree.

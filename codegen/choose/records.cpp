@@ -80,15 +80,17 @@ Json errors(const MeasuredError& measured) {
   return json;
 }
 
-Json kernel(const FinishedKernel& finished) {
+Json kernel(const FinishedKernel& finished, int largest_shader) {
   const Kernel& k = finished.kernel;
-  return {{"name", k.name},
-          {"degree", k.degree},
-          {"recipe", k.recipe},
-          {"parameters", parameters(k.parameters)},
-          {"results", parameters(k.results)},
-          {"float", errors(finished.in_float)},
-          {"double", errors(finished.in_double)}};
+  Json json = {{"name", k.name},
+               {"degree", k.degree},
+               {"recipe", k.recipe},
+               {"parameters", parameters(k.parameters)},
+               {"results", parameters(k.results)},
+               {"float", errors(finished.in_float)},
+               {"double", errors(finished.in_double)}};
+  if (k.degree > largest_shader) json["shader"] = false;
+  return json;
 }
 
 Json promise(const Promise& promised) {
@@ -112,7 +114,7 @@ std::string family_text(const RecordedFamily& recorded) {
   text.back() = ',';
   text += "\n  \"kernels\": [";
   for (std::size_t i = 0; i < recorded.kernels.size(); ++i) {
-    text += (i == 0 ? "\n    " : ",\n    ") + kernel(recorded.kernels[i]).dump();
+    text += (i == 0 ? "\n    " : ",\n    ") + kernel(recorded.kernels[i], recorded.family->largest_shader).dump();
   }
   return text + "]}";
 }
@@ -153,7 +155,8 @@ std::string print_families_record(const std::vector<RecordedFamily>& families) {
       "Roles, shapes, units, sizes, the largest errors seen of every kernel and the proved bounds of its rounding "
       "error. "
       "eps counts machine epsilon x size; a kernel may err by the factors times the errors seen, or by least_eps where "
-      "that is more, but not beyond its bound. Written by `shgen write`; licence MIT-0.";
+      "that is more, but not beyond its bound. shader: false where no shader is written. Written by `shgen write`; "
+      "licence MIT-0.";
   return "{\"format\": \"shforge families 1\",\n\"about\": " + about.dump() + ",\n\"limits\": " + limits.dump() +
          ",\n\"families\": [" + list + "]}\n";
 }

@@ -28,8 +28,8 @@ namespace {
 constexpr int kDigits = kCheckDigits + 20;
 constexpr unsigned long kSeed = 20020701;
 constexpr int kInputs = 120;
-constexpr int kLargestWritten = 4;  // shader compilers unroll the loops of higher degrees, and take long
-constexpr int kLargestEmitted = symbolic::kMaxProductDegree / 2;
+constexpr int kLargest = symbolic::kMaxProductDegree / 2;
+constexpr int kLargestInShaders = 4;  // of loops, which compilers of shaders unroll: generated/README.md has the times
 constexpr const char* kLimit = "visibility has twice the degree, and the Gaunt tensor is derived to that degree only";
 
 using Node = std::array<cln::cl_RA, 3>;
@@ -209,8 +209,8 @@ std::vector<Recipe> recipes_of(Kernel (*make)(int degree, int channels, bool loo
 
 Family prepare_family() {
   return {.name = "transfer_prepare",
-          .largest_written = kLargestWritten,
-          .largest_emitted = kLargestEmitted,
+          .largest_written = kLargest,
+          .largest_emitted = kLargest,
           .limit = kLimit,
           .recipes = {{"rings", recipes::transfer_prepare}},
           .reference = prepare_reference,
@@ -223,8 +223,9 @@ Family prepare_family() {
 Family apply_family(const std::string& name, int channels, const std::string& what) {
   return {
       .name = name,
-      .largest_written = kLargestWritten,
-      .largest_emitted = kLargestEmitted,
+      .largest_written = kLargest,
+      .largest_shader = kLargestInShaders,
+      .largest_emitted = kLargest,
       .limit = kLimit,
       .recipes = recipes_of(recipes::transfer_apply, channels),
       .reference = [=](int degree, int points) { return apply_reference(degree, points, channels); },
@@ -232,14 +233,15 @@ Family apply_family(const std::string& name, int channels, const std::string& wh
                  .unit = "|visibility| |light|, |light| = 1",
                  .test_inputs = [=](int degree) { return apply_inputs(degree, channels); },
                  .sizes = {"|visibility|"}},
-      .batch = BatchDriver{.what = what, .half = true, .largest = kLargestWritten}};
+      .batch = BatchDriver{.what = what, .half = true, .largest = kLargest}};
 }
 
 Family glossy_family(const std::string& name, int channels, const std::string& what) {
   return {
       .name = name,
-      .largest_written = kLargestWritten,
-      .largest_emitted = kLargestEmitted,
+      .largest_written = kLargest,
+      .largest_shader = kLargestInShaders,
+      .largest_emitted = kLargest,
       .limit = kLimit,
       .recipes = recipes_of(recipes::transfer_glossy, channels),
       .reference = [=](int degree, int points) { return glossy_reference(degree, points, channels); },
@@ -248,7 +250,7 @@ Family glossy_family(const std::string& name, int channels, const std::string& w
                  .unit = "|visibility| |light| |lobe|, |light| = 1",
                  .test_inputs = [=](int degree) { return glossy_inputs(degree, channels); },
                  .sizes = {"|visibility| |lobe|"}},
-      .batch = BatchDriver{.what = what, .half = true, .largest = kLargestWritten}};
+      .batch = BatchDriver{.what = what, .half = true, .largest = kLargest}};
 }
 
 }  // namespace

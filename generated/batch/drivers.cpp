@@ -166,51 +166,51 @@ void product(int degree, std::size_t n, Records<const double> a, Records<const d
 }
 
 void transfer_apply(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<float> out) {
-  detail::run<float>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {visibility, shared(samples)}, out}, 2, 4, {1, 0});
+  detail::run<float>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {visibility, shared(samples)}, out}, 2, 6, {1, 0});
 }
 
 void transfer_apply(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<double> out) {
-  detail::run<double>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {visibility, shared(samples)}, out}, 2, 4, {1, 0});
+  detail::run<double>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {visibility, shared(samples)}, out}, 2, 6, {1, 0});
 }
 
 void transfer_apply(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<float> out) {
-  detail::run<float>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {{nullptr, visibility.layout}, shared(samples)}, out, visibility.data}, 2, 4, {1, 0});
+  detail::run<float>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {{nullptr, visibility.layout}, shared(samples)}, out, visibility.data}, 2, 6, {1, 0});
 }
 
 void transfer_apply_rgb(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<float> out) {
-  detail::run<float>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {visibility, shared(samples)}, out}, 2, 4, {3, 0});
+  detail::run<float>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {visibility, shared(samples)}, out}, 2, 6, {3, 0});
 }
 
 void transfer_apply_rgb(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<double> out) {
-  detail::run<double>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {visibility, shared(samples)}, out}, 2, 4, {3, 0});
+  detail::run<double>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {visibility, shared(samples)}, out}, 2, 6, {3, 0});
 }
 
 void transfer_apply_rgb(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<float> out) {
-  detail::run<float>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {{nullptr, visibility.layout}, shared(samples)}, out, visibility.data}, 2, 4, {3, 0});
+  detail::run<float>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {{nullptr, visibility.layout}, shared(samples)}, out, visibility.data}, 2, 6, {3, 0});
 }
 
 void transfer_glossy(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
-  detail::run<float>("transfer_glossy", SH_BATCH_EVERY(transfer_glossy), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 4, {0, 1});
+  detail::run<float>("transfer_glossy", SH_BATCH_EVERY(transfer_glossy), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 6, {0, 1});
 }
 
 void transfer_glossy(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<const double> lobe, Records<const double> directions, Records<double> out) {
-  detail::run<double>("transfer_glossy", SH_BATCH_EVERY(transfer_glossy), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 4, {0, 1});
+  detail::run<double>("transfer_glossy", SH_BATCH_EVERY(transfer_glossy), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 6, {0, 1});
 }
 
 void transfer_glossy(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
-  detail::run<float>("transfer_glossy", SH_BATCH_EVERY(transfer_glossy), {degree, n, {{nullptr, visibility.layout}, shared(samples), lobe, directions}, out, visibility.data}, 4, 4, {0, 1});
+  detail::run<float>("transfer_glossy", SH_BATCH_EVERY(transfer_glossy), {degree, n, {{nullptr, visibility.layout}, shared(samples), lobe, directions}, out, visibility.data}, 4, 6, {0, 1});
 }
 
 void transfer_glossy_rgb(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
-  detail::run<float>("transfer_glossy_rgb", SH_BATCH_EVERY(transfer_glossy_rgb), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 4, {0, 3});
+  detail::run<float>("transfer_glossy_rgb", SH_BATCH_EVERY(transfer_glossy_rgb), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 6, {0, 3});
 }
 
 void transfer_glossy_rgb(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<const double> lobe, Records<const double> directions, Records<double> out) {
-  detail::run<double>("transfer_glossy_rgb", SH_BATCH_EVERY(transfer_glossy_rgb), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 4, {0, 3});
+  detail::run<double>("transfer_glossy_rgb", SH_BATCH_EVERY(transfer_glossy_rgb), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 6, {0, 3});
 }
 
 void transfer_glossy_rgb(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
-  detail::run<float>("transfer_glossy_rgb", SH_BATCH_EVERY(transfer_glossy_rgb), {degree, n, {{nullptr, visibility.layout}, shared(samples), lobe, directions}, out, visibility.data}, 4, 4, {0, 3});
+  detail::run<float>("transfer_glossy_rgb", SH_BATCH_EVERY(transfer_glossy_rgb), {degree, n, {{nullptr, visibility.layout}, shared(samples), lobe, directions}, out, visibility.data}, 4, 6, {0, 3});
 }
 
 void relight(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {

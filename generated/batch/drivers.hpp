@@ -54,29 +54,29 @@ void product(int degree, std::size_t n, Records<const float> a, Records<const fl
 void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out);
 
 /// Transferred radiance of visibility under a prepared light.
-/// degree 0 to 4; visibility ((2 degree + 1)^2), samples (8 degree^2 + 4, at degree 0 one a channel), out (bands^2).
-/// Domain: any coefficients of the visibility, degree 0 to 8; a light from transfer_prepare.
+/// degree 0 to 6; visibility ((2 degree + 1)^2), samples (8 degree^2 + 4, at degree 0 one a channel), out (bands^2).
+/// Domain: any coefficients of the visibility, degree 0 to 12; a light from transfer_prepare.
 void transfer_apply(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<float> out);
 void transfer_apply(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<double> out);
 void transfer_apply(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<float> out);
 
 /// The same of three channels, which share the samples of the visibility.
-/// degree 0 to 4; visibility ((2 degree + 1)^2), samples (3 (8 degree^2 + 4), at degree 0 one a channel), out (3 bands^2).
-/// Domain: any coefficients of the visibility, degree 0 to 8; a light from transfer_prepare.
+/// degree 0 to 6; visibility ((2 degree + 1)^2), samples (3 (8 degree^2 + 4), at degree 0 one a channel), out (3 bands^2).
+/// Domain: any coefficients of the visibility, degree 0 to 12; a light from transfer_prepare.
 void transfer_apply_rgb(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<float> out);
 void transfer_apply_rgb(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<double> out);
 void transfer_apply_rgb(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<float> out);
 
 /// Radiance that glossy vertices reflect under a prepared light.
-/// degree 0 to 4; visibility ((2 degree + 1)^2), samples (8 degree^2 + 4, at degree 0 one a channel), lobe (degree + 1), directions (3), out (1).
-/// Domain: any coefficients of the visibility, degree 0 to 8; a light from transfer_prepare; lobe: any coefficients of Y_l0; |d| = 1 for d = (x, y, z), the reflected view direction.
+/// degree 0 to 6; visibility ((2 degree + 1)^2), samples (8 degree^2 + 4, at degree 0 one a channel), lobe (degree + 1), directions (3), out (1).
+/// Domain: any coefficients of the visibility, degree 0 to 12; a light from transfer_prepare; lobe: any coefficients of Y_l0; |d| = 1 for d = (x, y, z), the reflected view direction.
 void transfer_glossy(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out);
 void transfer_glossy(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<const double> lobe, Records<const double> directions, Records<double> out);
 void transfer_glossy(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out);
 
 /// The same of three channels.
-/// degree 0 to 4; visibility ((2 degree + 1)^2), samples (3 (8 degree^2 + 4), at degree 0 one a channel), lobe (degree + 1), directions (3), out (3).
-/// Domain: any coefficients of the visibility, degree 0 to 8; a light from transfer_prepare; lobe: any coefficients of Y_l0; |d| = 1 for d = (x, y, z), the reflected view direction.
+/// degree 0 to 6; visibility ((2 degree + 1)^2), samples (3 (8 degree^2 + 4), at degree 0 one a channel), lobe (degree + 1), directions (3), out (3).
+/// Domain: any coefficients of the visibility, degree 0 to 12; a light from transfer_prepare; lobe: any coefficients of Y_l0; |d| = 1 for d = (x, y, z), the reflected view direction.
 void transfer_glossy_rgb(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out);
 void transfer_glossy_rgb(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<const double> lobe, Records<const double> directions, Records<double> out);
 void transfer_glossy_rgb(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out);

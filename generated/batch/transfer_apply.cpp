@@ -32,6 +32,8 @@ void transfer_apply(const detail::Call<T>& call) {
       {2, {25, 36}, 9, false, kernel<2, T>, float_only<T>(kernel_half<2, 25>), nullptr, 0, nullptr, nullptr, 1},
       {2, {49, 76}, 16, false, kernel<3, T>, float_only<T>(kernel_half<3, 49>), nullptr, 0, nullptr, nullptr, 1},
       {2, {81, 132}, 25, false, kernel<4, T>, float_only<T>(kernel_half<4, 81>), nullptr, 0, nullptr, nullptr, 1},
+      {2, {121, 204}, 36, false, kernel<5, T>, float_only<T>(kernel_half<5, 121>), nullptr, 0, nullptr, nullptr, 1},
+      {2, {169, 292}, 49, false, kernel<6, T>, float_only<T>(kernel_half<6, 169>), nullptr, 0, nullptr, nullptr, 1},
   };
   drive(call, kPlans[call.degree]);
 }

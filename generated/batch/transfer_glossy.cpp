@@ -32,6 +32,8 @@ void transfer_glossy(const detail::Call<T>& call) {
       {4, {25, 36, 3, 3}, 1, false, kernel<2, T>, float_only<T>(kernel_half<2, 25>), nullptr, 0, nullptr, nullptr, 1},
       {4, {49, 76, 4, 3}, 1, false, kernel<3, T>, float_only<T>(kernel_half<3, 49>), nullptr, 0, nullptr, nullptr, 1},
       {4, {81, 132, 5, 3}, 1, false, kernel<4, T>, float_only<T>(kernel_half<4, 81>), nullptr, 0, nullptr, nullptr, 1},
+      {4, {121, 204, 6, 3}, 1, false, kernel<5, T>, float_only<T>(kernel_half<5, 121>), nullptr, 0, nullptr, nullptr, 1},
+      {4, {169, 292, 7, 3}, 1, false, kernel<6, T>, float_only<T>(kernel_half<6, 169>), nullptr, 0, nullptr, nullptr, 1},
   };
   drive(call, kPlans[call.degree]);
 }

@@ -32,6 +32,8 @@ void transfer_glossy_rgb(const detail::Call<T>& call) {
       {4, {25, 108, 3, 3}, 3, false, kernel<2, T>, float_only<T>(kernel_half<2, 25>), nullptr, 0, nullptr, nullptr, 1},
       {4, {49, 228, 4, 3}, 3, false, kernel<3, T>, float_only<T>(kernel_half<3, 49>), nullptr, 0, nullptr, nullptr, 1},
       {4, {81, 396, 5, 3}, 3, false, kernel<4, T>, float_only<T>(kernel_half<4, 81>), nullptr, 0, nullptr, nullptr, 1},
+      {4, {121, 612, 6, 3}, 3, false, kernel<5, T>, float_only<T>(kernel_half<5, 121>), nullptr, 0, nullptr, nullptr, 1},
+      {4, {169, 876, 7, 3}, 3, false, kernel<6, T>, float_only<T>(kernel_half<6, 169>), nullptr, 0, nullptr, nullptr, 1},
   };
   drive(call, kPlans[call.degree]);
 }

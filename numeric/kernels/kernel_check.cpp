@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "numeric/glsl/glsl_runner.hpp"
+#include "numeric/kernels/family_record.hpp"
 #include "numeric/kernels/flat_call.hpp"
 #include "numeric/kernels/timing.hpp"
 #include "numeric/oracle/basis.hpp"
@@ -140,7 +141,8 @@ void append_results(std::vector<KernelResult>& all, const BoundKernel& kernel, c
   const auto double_own = own_formula(kernel, truth.in_double);
   all.push_back(check_cpp(kernel, unit, float_values, float_own, truth.in_float));
   all.push_back(check_cpp(kernel, unit, run_cpp(kernel, truth.in_double), double_own, truth.in_double));
-  if (glsl == nullptr) return;
+  const KernelRecord* const record = families_record().find_kernel(kernel.name());
+  if (glsl == nullptr || (record != nullptr && !record->has_shader)) return;
   for (auto& result : glsl->check(kernel, unit, float_values, float_own, truth.in_float))
     all.push_back(std::move(result));
 }

@@ -178,7 +178,7 @@ const T* samples_of(int degree) {
 
 template <class T>
 Subject<T> transfer_subject(int degree) {
-  return subject<T, 4>(
+  return subject<T, 6>(
       "transfer_apply_rgb", degree, {Kind::kVisibility}, 3 * coefficient_count(degree), {8, 8},
       [degree](std::size_t n, const auto& in, Records<T> out) {
         batch::transfer_apply_rgb(degree, n, in[0], samples_of<T>(degree), out);
@@ -188,7 +188,7 @@ Subject<T> transfer_subject(int degree) {
 
 template <class T>
 Subject<T> glossy_subject(int degree) {
-  return subject<T, 4>(
+  return subject<T, 6>(
       "transfer_glossy", degree, {Kind::kVisibility, Kind::kLobe, Kind::kDirection}, 1, {32, 32},
       [degree](std::size_t n, const auto& in, Records<T> out) {
         batch::transfer_glossy(degree, n, in[0], samples_of<T>(degree), in[1], in[2], out);
@@ -200,7 +200,7 @@ Subject<T> glossy_subject(int degree) {
 
 template <class T>
 Subject<T> glossy_rgb_subject(int degree) {
-  return subject<T, 4>(
+  return subject<T, 6>(
       "transfer_glossy_rgb", degree, {Kind::kVisibility, Kind::kLobe, Kind::kDirection}, 3, {32, 32},
       [degree](std::size_t n, const auto& in, Records<T> out) {
         batch::transfer_glossy_rgb(degree, n, in[0], samples_of<T>(degree), in[1], in[2], out);
@@ -247,7 +247,7 @@ std::vector<Subject<T>> subjects() {
   std::vector<Subject<T>> all;
   for (const int degree : {0, 1, 2, 4, 5, 9, 10}) all.push_back(basis_subject<T>(degree));
   for (const int degree : {0, 2, 4, 6}) all.push_back(product_subject<T>(degree));
-  for (const int degree : {0, 1, 2, 4}) {
+  for (const int degree : {0, 1, 2, 4, 6}) {
     all.push_back(transfer_subject<T>(degree));
     all.push_back(glossy_subject<T>(degree));
     all.push_back(glossy_rgb_subject<T>(degree));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "prt/basis.hpp"
 #include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/transfer/kept_bands.hpp"
@@ -106,6 +107,13 @@ inline std::vector<EmittedCase> emitted_cases() {
   all.push_back(
       {"bounces_gray_zonal", with_lobes(kGlossyInterreflected, 2, 17, matrices(2, 1, Element::kHalf)), {0, 2, 6}});
   add_kept_cases(all);
+  return all;
+}
+
+/// Of the highest degree, whose shader takes long to compile.
+inline std::vector<EmittedCase> highest_cases() {
+  std::vector<EmittedCase> all;
+  all.push_back({"glossy_highest", with_lobes(kGlossyShadowed, kHighestProduct, 18)});
   return all;
 }
 

@@ -87,7 +87,7 @@ void expect_fixed_point(const Mesh& mesh, int degree, std::size_t channels) {
 }
 
 TEST(GlossyBounces, ReachEveryVertexAsTheRunTimeSendsThemFromEverySurface) {
-  for (const int degree : {0, 1, 4}) expect_fixed_point(bowl({0.8F, 0.6F, 0.3F}, 12.0F), degree, 3);
+  for (const int degree : {0, 1, kHighestProduct}) expect_fixed_point(bowl({0.8F, 0.6F, 0.3F}, 12.0F), degree, 3);
 }
 
 TEST(GlossyBounces, HaveOneChannelWhereAllIsGray) {
@@ -146,6 +146,62 @@ TEST(GlossyBounces, OfDiffuseSurfacesMeetTheDiffuseBake) {
     all += static_cast<double>(diffuse[v].squaredNorm());
   }
   EXPECT_LT(std::sqrt(squares / all), 0.03) << "the clamped cosine to degree 4 is a little off";
+}
+
+// Exit radiance of every vertex under each of the lights Y_i: (vertices, bands^2).
+Eigen::MatrixXd under_each_band(const Transfer& transfer, const std::vector<Eigen::Vector3f>& albedo) {
+  const std::size_t count = coefficient_count(transfer.degree());
+  Eigen::MatrixXd all(albedo.size(), count);
+  for (std::size_t i = 0; i < count; ++i) {
+    LightCoefficients light = LightCoefficients::zero(transfer.degree());
+    light.at(0, i) = 1.0;
+    const auto radiance = exit_radiance(transfer, TransferredRadiance(transfer, light), {0.0, 0.0, 9.0}, albedo);
+    for (std::size_t v = 0; v < albedo.size(); ++v) all(Eigen::Index(v), Eigen::Index(i)) = radiance[v].x();
+  }
+  return all;
+}
+
+// Of all the light that comes from direction s, as much leaves towards d as the other way round [Helmholtz].
+TEST(GlossyBounces, AreReciprocal) {
+  Mesh mesh = hollow_sphere(20, 0.2F);
+  paint(mesh, Eigen::Vector3f::Constant(0.8F));
+  const Transfer transfer = baked(mesh, &kGlossyInterreflected, 2048, 4);
+  Transfer direct = transfer;
+  direct.indirect.clear();
+  const std::vector<Eigen::Vector3f> white(mesh.positions.size(), Eigen::Vector3f::Ones());
+  const Eigen::MatrixXd towards = under_each_band(direct, white);
+  const Eigen::MatrixXd bounced = under_each_band(transfer, mesh.albedo) - under_each_band(direct, mesh.albedo);
+  const std::vector<double> areas = vertex_areas(mesh);
+  const Eigen::MatrixXd flux =
+      towards.transpose() * Eigen::VectorXd::Map(areas.data(), bounced.rows()).asDiagonal() * bounced;
+  EXPECT_GT(flux.norm(), 0.02);
+  EXPECT_LT((flux - flux.transpose()).norm(), 0.02 * flux.norm());
+}
+
+// The directions of the rays do not turn: their error remains.
+TEST(GlossyBounces, TurnWithTheirLightAndTheirObject) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Eigen::Vector3d(0.3, -1.0, 0.5).normalized()).matrix();
+  const Mesh mesh = bowl({0.8F, 0.6F, 0.3F}, 12.0F);
+  Mesh turned_mesh = mesh;
+  for (auto* vectors : {&turned_mesh.positions, &turned_mesh.normals, &turned_mesh.geometric_normals}) {
+    for (Eigen::Vector3f& v : *vectors) v = (turn * v.cast<double>()).cast<float>();
+  }
+  const Eigen::Vector3d eye(1.0, -4.0, 2.0);
+  const LightCoefficients light = random_light(2, 6);
+  const auto bounced = [](const Mesh& shown, const LightCoefficients& under, const Eigen::Vector3d& from) {
+    Transfer transfer = baked(shown, &kGlossyInterreflected, 2048, 2);
+    std::fill(transfer.coefficients.begin(), transfer.coefficients.end(), 0.0F);
+    return exit_radiance(transfer, TransferredRadiance(transfer, under), from, shown.albedo);
+  };
+  const std::vector<Eigen::Vector3f> first = bounced(mesh, light, eye);
+  const std::vector<Eigen::Vector3f> second = bounced(turned_mesh, turned(light, turn), turn * eye);
+  double squares = 0.0;
+  double all = 0.0;
+  for (std::size_t v = 0; v < first.size(); ++v) {
+    squares += static_cast<double>((first[v] - second[v]).squaredNorm());
+    all += static_cast<double>(first[v].squaredNorm());
+  }
+  EXPECT_LT(std::sqrt(squares / all), 0.03);
 }
 
 TEST(GlossyBounces, OfAConvexBodyAreNone) {

@@ -145,8 +145,8 @@ TEST_F(GlossyTool, RefusesMaterialsThatReflectTooMuchOrHalfOfALobe) {
 }
 
 TEST_F(GlossyTool, RefusesBakesThatGlossyTransferCannotHold) {
-  expect_scene_refused(kGold, R"("transfer": "glossy_shadowed", "degree": 5)",
-                       "degree: expected 0 to 4 (of the kind glossy_shadowed), got 5");
+  expect_scene_refused(kGold, R"("transfer": "glossy_shadowed", "degree": 6)",
+                       "degree: expected 0 to 5 (of the kind glossy_shadowed), got 6");
   expect_scene_refused(kGold, R"("transfer": "glossy_shadowed", "sampler": "cosine")", "the sampler cosine");
   expect_scene_refused(R"("mirror": [1, 1, 1])", R"("transfer": "glossy_shadowed")", "expected no mirrors");
   expect_scene_refused(kGold, R"("transfer": "shiny")", "glossy_shadowed");

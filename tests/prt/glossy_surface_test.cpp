@@ -107,12 +107,12 @@ TEST(SharpestLobe, IsThatOfTheLargestExponentThatReflects) {
 }
 
 TEST(GlossyBake, RefusesWhatItCannotHold) {
-  Scene scene = scene_of(statue(12.0F), &kGlossyShadowed, 64, 5);
+  Scene scene = scene_of(statue(12.0F), &kGlossyShadowed, 64, 6);
   const auto refused = [&](const std::string& reason) {
     const std::string message = message_of([&] { bake(scene); });
     EXPECT_NE(message.find(reason), std::string::npos) << message;
   };
-  refused("degree: expected 0 to 4 (of the kind glossy_shadowed), got 5");
+  refused("degree: expected 0 to 5 (of the kind glossy_shadowed), got 6");
   scene.bake.degree = 4;
   scene.bake.sampler = Sampler::kCosine;
   refused("the sampler cosine");

@@ -11,8 +11,10 @@
 #include <random>
 
 #include "numeric/oracle/gaunt.hpp"
+#include "numeric/oracle/quadrature.hpp"
 #include "numeric/oracle/zonal.hpp"
 #include "prt/basis.hpp"
+#include "prt/light/light.hpp"
 #include "prt/material/lobe.hpp"
 #include "prt/rays/directions.hpp"
 #include "prt/rays/gather.hpp"
@@ -224,7 +226,7 @@ TEST_P(GlossOfDegree, TakesALightOfLowerDegreeAsOneWithZerosAbove) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Degrees, GlossOfDegree, testing::Range(0, 5));
+INSTANTIATE_TEST_SUITE_P(Degrees, GlossOfDegree, testing::Range(0, kHighestProduct + 1));
 
 // h_l: hemisphere about +z.
 TEST(ShadowedGloss, OfAConvexBodyIsTheHemisphereToTheLastBit) {
@@ -260,6 +262,101 @@ TEST(ShadowedGloss, UnderADiscIsTheHemisphereWithoutACap) {
       const double expected = m == 0 ? hemisphere[l] - cap[l] : 0.0;
       EXPECT_NEAR(transfer.row(0)[coefficient_index(l, m)], expected, 2e-3) << l << ' ' << m;
     }
+  }
+}
+
+// A speck at the origin that faces up, vertex 0 in its middle, beside an endless wall along y that hides the sky up to an
+// elevation.
+Mesh speck_beside_wall(double elevation) {
+  constexpr double kSpeck = 1e-3;
+  constexpr double kEnd = 300.0;
+  constexpr std::uint32_t kCorners = 8;
+  Soup soup;
+  soup.positions.emplace_back(0.0, 0.0, 0.0);
+  for (std::uint32_t i = 0; i < kCorners; ++i) {
+    const double angle = 2.0 * kPi * i / kCorners;
+    soup.positions.emplace_back(kSpeck * std::cos(angle), kSpeck * std::sin(angle), 0.0);
+    soup.faces.push_back({0, i + 1, (i + 1) % kCorners + 1});
+  }
+  soup.normals.assign(soup.positions.size(), Eigen::Vector3f::UnitZ());
+  const auto wall = static_cast<std::uint32_t>(soup.positions.size());
+  const double top = std::tan(elevation);
+  for (const auto& [y, z] : {std::pair(-kEnd, -1.0), {-kEnd, top}, {kEnd, top}, {kEnd, -1.0}}) {
+    soup.positions.emplace_back(1.0, y, z);
+    soup.normals.emplace_back(-Eigen::Vector3f::UnitX());
+  }
+  soup.faces.push_back({wall, wall + 1, wall + 2});
+  soup.faces.push_back({wall, wall + 2, wall + 3});
+  soup.albedo.assign(soup.positions.size(), Eigen::Vector3f::Zero());
+  return weld(soup, soup.positions.size());
+}
+
+// The projection of the part of the sky above a wall along y: between two half-planes through the y axis.
+std::vector<double> lune(double elevation, int degree) {
+  const auto rule = numeric::gauss_legendre<double>(48);
+  std::vector<double> sum(coefficient_count(degree), 0.0);
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+    const double from_y = 0.5 * kPi * (rule.nodes[i] + 1.0);
+    for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
+      const double around = elevation + 0.5 * (kPi - elevation) * (rule.nodes[j] + 1.0);
+      const double weight = 0.25 * kPi * (kPi - elevation) * rule.weights[i] * rule.weights[j] * std::sin(from_y);
+      add_basis(degree, std::sin(from_y) * std::cos(around), std::cos(from_y), std::sin(from_y) * std::sin(around),
+                weight, sum.data());
+    }
+  }
+  return sum;
+}
+
+TEST(ShadowedGloss, BesideAWallOfAnyHeightIsALune) {
+  for (const double degrees : {0.5, 20.0, 45.0, 70.0, 89.0}) {
+    const double elevation = degrees * kPi / 180.0;
+    const Transfer transfer =
+        baked(finished(speck_beside_wall(elevation), Eigen::Vector3f::Zero(), Eigen::Vector3f::Ones(), 9.0F),
+              &kGlossyShadowed, 65536, 4);
+    const std::vector<double> expected = lune(elevation, 8);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_NEAR(static_cast<double>(transfer.row(0)[i]), expected[i], 2e-3) << degrees << ' ' << i;
+    }
+  }
+}
+
+// Under constant light a lobe gives the part of it above the horizon, and all of the light where nothing hides it.
+TEST(ShadowedGloss, OfAConvexBodyKeepsTheEnergyOfTheLobeAboveTheHorizon) {
+  constexpr int kDegree = 4;
+  std::vector<double> hemisphere(kDegree + 1);
+  numeric::cap_zonal(kDegree, 1.0, hemisphere.data());
+  const Eigen::Vector3d eye(9.0, 2.0, 4.0);
+  for (const double exponent : kExponents) {
+    const Mesh mesh = polished(with_one_normal("sphere", 12), 0.0F, 1.0F, static_cast<float>(exponent));
+    const Transfer transfer = baked(mesh, &kGlossyShadowed, 64, kDegree);
+    const std::vector<Eigen::Vector3f> radiance =
+        exit_radiance(transfer, TransferredRadiance(transfer, constant_light(kDegree)), eye, mesh.albedo);
+    for (std::size_t v = 0; v < mesh.positions.size(); v += 5) {
+      const Eigen::Vector3d to_eye = (eye - mesh.point(v)).normalized();
+      const double cosine =
+          std::clamp(mesh.normals[v].cast<double>().dot(to_eye), -1.0, 1.0);  // that of the mirrored one
+      double expected = 0.0;
+      for (unsigned l = 0; l <= kDegree; ++l) {
+        expected += hemisphere[l] * std::sqrt((2.0 * l + 1.0) / (4.0 * kPi)) *
+                    power_by_terms(static_cast<int>(l), exponent) * std::legendre(l, cosine);
+      }
+      EXPECT_NEAR(static_cast<double>(radiance[v].x()), expected, 3e-6) << v << ' ' << exponent;
+    }
+  }
+}
+
+TEST(ShadowedGloss, OfASphereUnderADiscOfLightIsTheIntegralOverTheDisc) {
+  const Eigen::Vector3d eye(3.0, -2.0, 2.5);
+  const LightSpec disc{.type = LightType::kCap, .direction = kSlanted, .one_minus_cos = 0.1};
+  const LightCoefficients light = project(load_lights({disc}, OnFlaw::kRefuse), 4);
+  const Mesh mesh = polished(with_one_normal("sphere", 16), 0.2F, 0.7F, 20.0F);
+  const Tracer tracer(mesh);
+  const Transfer transfer = baked(mesh, &kGlossyShadowed, 64, 4);
+  const std::vector<Eigen::Vector3f> relit =
+      exit_radiance(transfer, TransferredRadiance(transfer, light), eye, mesh.albedo);
+  for (std::size_t v = 0; v < mesh.positions.size(); v += 11) {
+    const Eigen::Vector3d expected = by_rays(mesh, tracer, v, light, eye, 65536);
+    EXPECT_LT((relit[v].cast<double>() - expected).norm(), 3e-3) << v;
   }
 }
 

@@ -596,8 +596,8 @@ TEST(GlossyPlan, OfExtremeScenesIsMadeOrRefusedInALine) {
   shiny.mesh = polished(bowl({1.0F, 1.0F, 1.0F}), 1.0F, 0.0F, 4.0F);
   const BakeJob job = planned_as(shiny, shiny.plan);
   EXPECT_LE(job.plan->record.error, shiny.plan.error) << "albedo 1 with an opening";
-  shiny.bake.degree = 5;
-  EXPECT_NE(message_of([&] { planned_as(shiny, shiny.plan); }).find("degree: expected 0 to 4"), std::string::npos);
+  shiny.bake.degree = 6;
+  EXPECT_NE(message_of([&] { planned_as(shiny, shiny.plan); }).find("degree: expected 0 to 5"), std::string::npos);
 }
 
 }  // namespace
