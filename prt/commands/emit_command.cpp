@@ -20,6 +20,7 @@ struct EmitCommand {
   std::string folder;
   std::string scene;
   std::string turns = "about_z";
+  std::string shade = "vertex";
 };
 
 /// The coefficients that the lights of the scene have in any allowed rotation; empty: all of them.
@@ -46,7 +47,8 @@ std::string name_of_file(const std::string& file) {
 void run_emit(const EmitCommand& options) {
   const Stopwatch stopwatch;
   const Transfer transfer = read_transfer(options.file);
-  EmitOptions emitted_options{name_of_file(options.file), needed_by(options, transfer.degree())};
+  const EmitOptions emitted_options{name_of_file(options.file), needed_by(options, transfer.degree()),
+                                    options.shade == "pixel"};
   Emitted emitted;
   try {
     emitted = options.language == "cpp" ? emit_cpp(transfer, emitted_options)
@@ -85,6 +87,11 @@ void add_emit_command(CLI::App& tool) {
           "-o,--output", options->folder,
           "folder to write relight.hpp (or relight.vert, relight.json and, for clusters, lit.vert) and relight.bin to")
       ->required();
+  command
+      .add_option("--shade", options->shade,
+                  "where glossy surfaces meet the view: `vertex`, or `pixel`, with a fragment shader relight.frag and "
+                  "normal maps")
+      ->check(CLI::IsMember({"vertex", "pixel"}));
   command.add_option("--scene", options->scene,
                      "a scene whose lights are the only ones: coefficients that they lack cost nothing");
   command.add_option("--light-turns", options->turns, "later rotations of these lights")

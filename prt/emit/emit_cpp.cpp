@@ -191,6 +191,9 @@ class CppEmitter {
 
 }  // namespace
 
-Emitted emit_cpp(const Transfer& transfer, const EmitOptions& options) { return CppEmitter(transfer, options).run(); }
+Emitted emit_cpp(const Transfer& transfer, const EmitOptions& options) {
+  if (options.per_pixel) throw std::invalid_argument("C++ has no pixels to shade; expected GLSL, or vertices");
+  return CppEmitter(transfer, options).run();
+}
 
 }  // namespace sh::prt

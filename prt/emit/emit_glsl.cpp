@@ -1,12 +1,17 @@
-// relight.vert: comment, kernels, sizes, and the texts of prt/shaders; relight.json: how relight.bin is laid out.
+// relight.vert and relight.frag: comment, kernels, sizes, and the texts of prt/shaders; relight.json: how relight.bin is laid
+// out.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <deque>
 #include <numbers>
+#include <stdexcept>
 
 #include "numeric/oracle/zonal.hpp"
 #include "prt/emit/shaders.hpp"
 #include "prt/runtime/file_shaders.hpp"
+#include "prt/runtime/glossy.hpp"
+#include "prt/runtime/shading_normals.hpp"
 #include "prt/zonal.hpp"
 
 namespace sh::prt {
@@ -15,6 +20,9 @@ namespace {
 
 // The most vec4s of a vertex that OpenGL ES 3.0 captures.
 constexpr std::size_t kCaptured = 15;
+
+// The most vec4s that graphics cards interpolate between vertices, of which OpenGL promises 15.
+constexpr std::size_t kInterpolated = 31;
 
 constexpr float kNormalized = 127.0F;  // R8_SNORM reads q / 127
 
@@ -25,8 +33,10 @@ class GlslEmitter {
         rows_(emitted_rows(transfer, options)),
         brdfs_(emitted_brdfs(transfer)),
         kernels_(transfer, options, rows_, brdfs_, es ? "glsl-es" : "glsl"),
+        per_pixel_(options.per_pixel),
         es_(es) {
     relight_.define("COUNT", coefficient_count(transfer.degree()));
+    if (per_pixel_) require_pixels();
   }
 
   Emitted run() {
@@ -39,10 +49,27 @@ class GlslEmitter {
     Emitted emitted{{{relight_.file, text(relight_)}, {"relight.bin", data_.bytes()}}, kernels_.cost()};
     emitted.files.push_back({"relight.json", data_.json.dump(2) + "\n"});
     for (const Shader& shader : lit_) emitted.files.push_back({shader.file, text(shader)});
+    if (per_pixel_) emitted.files.push_back({pixel_.file, text(pixel_)});
     return emitted;
   }
 
  private:
+  void require_pixels() const {
+    const Mesh& mesh = transfer_.mesh;
+    if (!transfer_.kind->is_glossy()) {
+      throw std::invalid_argument(
+          fmt::format("transfer of kind {} is exit radiance, which pixels interpolate; expected a glossy kind, or the "
+                      "shader of vertices",
+                      transfer_.kind->letters));
+    }
+    const auto is_mixed = [&mesh](const Face& face) { return !has_one_finish(mesh, face); };
+    if (std::any_of(mesh.faces.begin(), mesh.faces.end(), is_mixed)) {
+      throw std::invalid_argument(
+          "some of its faces have several BRDFs or lobes, between which a pixel cannot choose; expected one material a "
+          "face, or the shader of vertices");
+    }
+  }
+
   // The shader that meets the light with rows of clusters: relight_ itself where rows are those of vertices, else a
   // shader of its own, whose results relight_ mixes. prefix: "" or "matrix_".
   Shader& meeting(const Clusters& clusters, std::string_view prefix) {
@@ -115,32 +142,111 @@ class GlslEmitter {
     if (!lit_.empty()) relight_.texts.emplace_back("clusters.glsl");
     relight_.texts.emplace_back("glossy.vert");
     data_.add_attribute("normal", 2, transfer_.mesh.normals);
-    relight_.use(kernels_, "GATHER");
-    relight_.define("BANDS", transfer_.degree() + 1);
-    if (kernels_.has("SH_EMITTED_ZONAL")) add_lobes();
-    if (kernels_.has("SH_EMITTED_ROTATE")) add_brdfs();
-    relight_.texts.emplace_back("glossy_relight.vert");
+    if (per_pixel_) add_pixels();
+    add_exit(per_pixel_ ? pixel_ : relight_);
+    relight_.texts.emplace_back(per_pixel_ ? "glossy_pixels.vert" : "glossy_relight.vert");
+    if (per_pixel_) pixel_.texts.emplace_back("glossy.frag");
   }
 
-  void add_lobes() {
+  // What leaves a place.
+  void add_exit(Shader& shader) {
+    shader.texts.emplace_back("exit.glsl");
+    shader.use(kernels_, "GATHER");
+    shader.define("BANDS", transfer_.degree() + 1);
+    if (kernels_.has("SH_EMITTED_ZONAL")) add_lobes(shader);
+    if (kernels_.has("SH_EMITTED_ROTATE")) add_brdfs(shader);
+    shader.texts.emplace_back("exit_radiance.glsl");
+  }
+
+  // Of both shaders.
+  void define(std::string_view name) {
+    relight_.define(name, 1);
+    if (per_pixel_) pixel_.define(name, 1);
+  }
+
+  void add_pixels() {
+    pixel_.define("COUNT", coefficient_count(transfer_.degree()));
+    relight_.define("BETWEEN", "out");
+    pixel_.define("BETWEEN", "in");
+    if (!transfer_.emitted.empty()) define("EMITTED");
+    const bool is_uniform = transfer_.shape.meets == Meets::kNothing;
+    const std::size_t carried = is_uniform ? 0 : (3 * coefficient_count(transfer_.degree()) + 3) / 4;
+    if (is_uniform) {
+      pixel_.texts.emplace_back("glossy_light.glsl");
+    } else {
+      relight_.define("CARRIED", carried);
+      pixel_.define("CARRIED", carried);
+    }
+    constexpr std::size_t kOthers = 6;  // position, normal, albedo, lobe, BRDF, emitted
+    constexpr std::size_t kOfMaps = 3;
+    const bool has_maps = !transfer_.mesh.normal_map.empty();
+    const std::size_t vectors = carried + kOthers + (has_maps ? kOfMaps : 0);
+    if (vectors > kInterpolated) {
+      throw std::invalid_argument(
+          fmt::format("its vertices hand {} 4-vectors on to pixels, of which graphics cards take {}; expected a lower "
+                      "degree, or the shader of vertices",
+                      vectors, kInterpolated));
+    }
+    data_.json["between"] = {{"shader", pixel_.file}, {"vectors", vectors}};
+    relight_.texts.emplace_back("pixels.glsl");
+    pixel_.texts.emplace_back("pixels.glsl");
+    data_.add_faces(transfer_.mesh.faces);
+    if (has_maps) add_maps();
+  }
+
+  void add_maps() {
+    const Mesh& mesh = transfer_.mesh;
+    define("MAPS");
+    std::vector<Eigen::Vector3f> places;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      places.emplace_back(mesh.texture[v].x(), mesh.texture[v].y(), static_cast<float>(mesh.normal_map[v]));
+    }
+    data_.add_attribute("texture_place", 9, places);
+    const ShadingNormals normals(mesh);
+    data_.add_attribute("tangent", 10, normals.tangents(false));
+    data_.add_attribute("mirrored_tangent", 11, normals.tangents(true));
+    std::vector<std::size_t> first{0};
+    std::vector<int> width;
+    std::vector<int> height;
+    for (const NormalMaps::Head& head : mesh.normal_maps.heads) {
+      width.push_back(head.width);
+      height.push_back(head.height);
+      first.push_back(first.back() + static_cast<std::size_t>(head.width) * static_cast<std::size_t>(head.height));
+    }
+    first.pop_back();
+    const auto numbers = [this](std::string_view name, const auto& values) {
+      pixel_.functions +=
+          fmt::format("\nconst int {0}[{1}] = int[{1}]({2});\n", name, values.size(), fmt::join(values, ", "));
+    };
+    numbers("map_first", first);
+    numbers("map_width", width);
+    numbers("map_height", height);
+    data_.add_texture("normals", Element::kHalf, mesh.normal_maps.texels.data(),
+                      mesh.normal_maps.texels.size() * sizeof(Eigen::half));
+    pixel_.texts.emplace_back("normal_maps.glsl");
+  }
+
+  void add_lobes(Shader& shader) {
+    define("LOBES");
     const int degree = transfer_.degree();
     std::vector<double> cosine;
     for (int l = 0; l <= degree; ++l) {
       cosine.push_back(zonal_unit(l) * numeric::clamped_cosine_factor<double>(l) / std::numbers::pi);
     }
-    relight_.define("COSINE", fmt::format("float[{}]({:.9e})", cosine.size(), fmt::join(cosine, ", ")));
-    relight_.use(kernels_, "ZONAL");
-    relight_.texts.emplace_back("lobes.glsl");
+    shader.define("COSINE", fmt::format("float[{}]({:.9e})", cosine.size(), fmt::join(cosine, ", ")));
+    shader.use(kernels_, "ZONAL");
+    shader.texts.emplace_back("lobes.glsl");
     if (transfer_.mesh.specular.empty()) return;
     data_.add_attribute("specular", 4, transfer_.mesh.specular);
     data_.add_number("exponent", 5, transfer_.mesh.exponent);
   }
 
-  void add_brdfs() {
-    relight_.define("VIEWS", kViews);
-    relight_.define("EVEN", even_count(transfer_.degree()));
-    relight_.use(kernels_, "ROTATE");
-    relight_.texts.emplace_back("brdfs.glsl");
+  void add_brdfs(Shader& shader) {
+    define("BRDFS");
+    shader.define("VIEWS", kViews);
+    shader.define("EVEN", even_count(transfer_.degree()));
+    shader.use(kernels_, "ROTATE");
+    shader.texts.emplace_back("brdfs.glsl");
     data_.add_texture("tables", Element::kSingle, brdfs_.tables.data(), brdfs_.tables.size() * sizeof(float));
     data_.add_number("brdf", 8, {brdfs_.numbers.begin(), brdfs_.numbers.end()});
   }
@@ -194,10 +300,12 @@ class GlslEmitter {
   EmittedRows rows_;
   EmittedBrdfs brdfs_;
   EmittedKernels kernels_;
+  bool per_pixel_;
   bool es_;
   ShaderData data_;
   Shader relight_{"relight.vert", {}, {}, {}};
-  std::deque<Shader> lit_;  // that the light meets clusters in
+  Shader pixel_{"relight.frag", {}, {}, {}};  // if per_pixel_: what leaves the surfaces
+  std::deque<Shader> lit_;                    // that the light meets clusters in
 };
 
 }  // namespace

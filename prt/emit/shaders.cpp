@@ -51,6 +51,11 @@ void ShaderData::add_number(std::string_view name, int location, const std::vect
   add_attribute(name, location, 1, values);
 }
 
+void ShaderData::add_faces(const std::vector<Face>& faces) {
+  const std::size_t offset = add(faces.data(), faces.size() * sizeof(Face));
+  json["faces"] = {{"count", faces.size()}, {"offset", offset}};
+}
+
 std::size_t ShaderData::add(const void* data, std::size_t size) {
   const std::size_t offset = bytes_.size();
   bytes_.append(static_cast<const char*>(data), size);

@@ -38,6 +38,8 @@ class ShaderData {
   void add_texture(std::string_view name, const Encoded& encoded, const TransferShape& shape);
   void add_attribute(std::string_view name, int location, const std::vector<Eigen::Vector3f>& values);
   void add_number(std::string_view name, int location, const std::vector<float>& values);
+  /// Three indices of vertices each, unsigned 32 bits.
+  void add_faces(const std::vector<Face>& faces);
   /// The rows of a texture; throws like add_texture.
   static std::size_t height_of(std::string_view name, std::size_t texels);
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <numbers>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -131,7 +132,9 @@ class FileShadersWriter {
     if (meets_light) relight_.add("glossy_light.glsl");
     if (!shaders_.lit.empty()) relight_.add("clusters.glsl");
     relight_.add("glossy.vert");
+    relight_.add("exit.glsl");
     add_surfaces();
+    relight_.add("exit_radiance.glsl");
     relight_.add("glossy_relight.vert");
   }
 
@@ -156,6 +159,7 @@ class FileShadersWriter {
 
   void add_surfaces() {
     const int degree = transfer_.degree();
+    relight_.define("LOBES", 1);
     relight_.use("GATHER", "relight_rgb", degree);
     relight_.define("BANDS", degree + 1);
     std::vector<double> cosine;
@@ -166,6 +170,7 @@ class FileShadersWriter {
     relight_.use("ZONAL", "zonal", degree);
     relight_.add("lobes.glsl");
     if (transfer_.mesh.brdfs.heads.empty()) return;
+    relight_.define("BRDFS", 1);
     relight_.define("VIEWS", kViews);
     relight_.define("EVEN", even_count(degree));
     relight_.use("ROTATE", "rotate", degree);
@@ -179,6 +184,15 @@ class FileShadersWriter {
 
 }  // namespace
 
-FileShaders file_shaders(const Transfer& transfer) { return FileShadersWriter(transfer).run(); }
+FileShaders file_shaders(const Transfer& transfer) {
+  constexpr int kHighestInShaders = 4;  // generated/README.md
+  if (transfer.kind->stores_visibility() && transfer.degree() > kHighestInShaders) {
+    throw std::invalid_argument(
+        fmt::format("{}: shaders multiply visibility and light to degree {}, got degree {}; expected a bake of a lower "
+                    "degree, or `prt emit`",
+                    transfer.scene, kHighestInShaders, transfer.degree()));
+  }
+  return FileShadersWriter(transfer).run();
+}
 
 }  // namespace sh::prt

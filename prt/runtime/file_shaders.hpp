@@ -25,7 +25,8 @@ struct FileShaders {
 
 /// GLSL ES 3.00, for a transfer with this kind, these shapes and materials. Textures: `transfer` or `rows`, `matrices`,
 /// `tables`, `weights`, `matrix_weights`; numbers of 8 bits are R8_SNORM. Diffuse light takes the scale of 8-bit numbers
-/// times 127; visibility has the uniform `row_scale` for it.
+/// times 127; visibility has the uniform `row_scale` for it. Throws std::invalid_argument for visibility whose product with
+/// the light has no generated shader.
 FileShaders file_shaders(const Transfer& transfer);
 
 /// 8 n^2 + 4, or 1 at degree 0: the numbers of a light that transfer_prepare makes.

@@ -19,6 +19,11 @@ class ShadingNormals {
 
   /// Unit. Where the coordinates of no face around give a direction, or texels have no length, the map does not turn it.
   [[nodiscard]] Eigen::Vector3f at(const Hit& hit) const;
+  /// Of the vertices, from the faces around that show the picture, or that mirror it: unit, or zero where none does. Empty
+  /// without normal maps.
+  [[nodiscard]] const std::vector<Eigen::Vector3f>& tangents(bool is_mirrored) const {
+    return tangents_[is_mirrored ? 1 : 0];
+  }
 
  private:
   [[nodiscard]] Eigen::Vector3f mapped(const Hit& hit, const Eigen::Vector3f& normal, std::size_t map) const;

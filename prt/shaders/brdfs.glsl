@@ -1,14 +1,14 @@
 
-// What leaves towards the eye over BRDFs. Above: VIEWS of a table, EVEN numbers of a view, ROTATE, GATHER.
+// What leaves towards the eye over BRDFs. Above: COUNT, BANDS, VIEWS of a table, EVEN numbers of a view, ROTATE, GATHER.
 //
 // A vertex has the number 4 t + n: its n parts stand in the tables t, t + 1, ...; 1: white, 2: of the color of the albedo
 // and white, 3: red, green, blue; 0: no BRDF.
-layout(location = 8) in float brdf;
 uniform sampler2D tables;  // the section of this name of relight.bin, as `rows` is
 
 float table_number(int i) { return texelFetch(tables, ivec2(i % 2048, i / 2048), 0).r; }
 
-vec3 of_brdf(vec3 to_eye, float reaching[3 * COUNT]) {
+vec3 of_brdf(Place place, vec3 to_eye, float reaching[3 * COUNT]) {
+    vec3 normal = place.normal;
     // The frame of the surface: z is the normal, and the eye stands over x >= 0.
     float cosine = dot(normal, to_eye);
     vec3 x = to_eye - cosine * normal;
@@ -22,13 +22,14 @@ vec3 of_brdf(vec3 to_eye, float reaching[3 * COUNT]) {
     vec3 y = cross(normal, x);
     float frame[9] = float[9](x.x, y.x, normal.x, x.y, y.y, normal.y, x.z, y.z, normal.z);
     // Four neighboring views, and the weights of the cubic through them; below the surface those of grazing view.
-    float place = cosine > 0.0 ? atan(sine, cosine) * (float(VIEWS - 1) / 1.5707963) : float(VIEWS - 1);
-    int before = clamp(int(place) - 1, 0, VIEWS - 4);
-    float t = place - float(before);
+    float view = cosine > 0.0 ? atan(sine, cosine) * (float(VIEWS - 1) / 1.5707963) : float(VIEWS - 1);
+    int before = clamp(int(view) - 1, 0, VIEWS - 4);
+    float t = view - float(before);
     vec4 weights = vec4(-(t - 1.0) * (t - 2.0) * (t - 3.0) / 6.0, t * (t - 2.0) * (t - 3.0) / 2.0,
                         -t * (t - 1.0) * (t - 3.0) / 2.0, t * (t - 1.0) * (t - 2.0) / 6.0);
-    int table = int(brdf) / 4;
-    int parts = int(brdf) % 4;
+    int number = int(place.brdf + 0.5);
+    int table = number / 4;
+    int parts = number % 4;
     vec3 sums = vec3(0.0);
     for (int part = 0; part < parts; ++part) {
         int i = ((table + part) * VIEWS + before) * EVEN;
@@ -45,7 +46,7 @@ vec3 of_brdf(vec3 to_eye, float reaching[3 * COUNT]) {
         ROTATE(frame, lobe, turned);
         float rgb[3];
         GATHER(turned, reaching, rgb);
-        vec3 color = part + 1 == parts ? vec3(1.0) : albedo;
+        vec3 color = part + 1 == parts ? vec3(1.0) : place.albedo;
         if (parts == 3) color = vec3(equal(ivec3(part), ivec3(0, 1, 2)));
         sums += color * vec3(rgb[0], rgb[1], rgb[2]);
     }

@@ -1,14 +1,23 @@
 
-// Exit radiance of a glossy vertex towards the eye. Above: BANDS, and what reaches the vertex.
+// A glossy vertex, and the radiance that reaches it. Above: COUNT, `direct` or clusters; LOBES, BRDFS if there are any.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 albedo;   // linear RGB
 layout(location = 2) in vec3 normal;   // unit
 layout(location = 3) in vec3 emitted;  // of the surfaces themselves; disabled without it, which reads 0
+#ifdef LOBES
+layout(location = 4) in vec3 specular;  // linear RGB reflectance of the lobe
+layout(location = 5) in float exponent;
+#else
+const vec3 specular = vec3(0.0);
+const float exponent = 0.0;
+#endif
+#ifdef BRDFS
+layout(location = 8) in float brdf;  // brdfs.glsl
+#else
+const float brdf = 0.0;
+#endif
 
-uniform vec3 eye;  // in the coordinates of the mesh
 uniform mat4 to_clip;
-
-out vec3 radiance;  // linear; ringing may make it slightly negative
 
 // The radiance that reaches the vertex.
 void transferred(out float reaching[3 * COUNT]) {
@@ -30,10 +39,4 @@ void transferred(out float reaching[3 * COUNT]) {
 #ifdef MATRIX_ROWS
     for (int i = 0; i < 3 * MATRIX_ROWS; ++i) reaching[i / MATRIX_ROWS * COUNT + i % MATRIX_ROWS] += more[i];
 #endif
-}
-
-// Of length 1, or 0 if v is 0.
-vec3 unit(vec3 v) {
-    float size = length(v);
-    return size > 0.0 ? v / size : vec3(0.0);
 }

@@ -1,19 +1,12 @@
 
+uniform vec3 eye;  // in the coordinates of the mesh
+
+out vec3 radiance;  // linear
+
 void main() {
     float reaching[3 * COUNT];
     transferred(reaching);
-    vec3 to_eye = unit(eye - position);
-#if defined(ROTATE) && defined(ZONAL)
-    if (brdf > 0.0) {
-        radiance = of_brdf(to_eye, reaching);
-    } else {
-        radiance = of_lobes(to_eye, reaching);
-    }
-#elif defined(ROTATE)
-    radiance = of_brdf(to_eye, reaching);
-#else
-    radiance = of_lobes(to_eye, reaching);
-#endif
-    radiance += emitted;
+    Place place = Place(normal, albedo, specular, exponent, brdf);
+    radiance = exit_radiance(place, unit(eye - position), reaching) + emitted;
     gl_Position = to_clip * vec4(position, 1.0);
 }

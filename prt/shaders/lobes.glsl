@@ -1,7 +1,5 @@
 
-// What leaves towards the eye over a diffuse surface and a lobe. Above: BANDS, COSINE, ZONAL, GATHER.
-layout(location = 4) in vec3 specular;  // linear RGB reflectance of the lobe
-layout(location = 5) in float exponent;
+// What leaves towards the eye over a diffuse surface and a lobe. Above: COUNT, BANDS, COSINE, ZONAL, GATHER.
 
 // Band l of (e+1)/(2 pi) max(0, cos)^e: (e+1) times the integral of t^e P_l(t) over 0..1 [Hobson31].
 float lobe_factor(int l, float e) {
@@ -18,9 +16,10 @@ vec3 gathered(float zonal[BANDS], vec3 direction, float reaching[3 * COUNT]) {
     return vec3(rgb[0], rgb[1], rgb[2]);
 }
 
-vec3 of_lobes(vec3 to_eye, float reaching[3 * COUNT]) {
+vec3 of_lobes(Place place, vec3 to_eye, float reaching[3 * COUNT]) {
     float zonal[BANDS] = COSINE;
-    vec3 sums = albedo * gathered(zonal, normal, reaching);
-    for (int l = 0; l < BANDS; ++l) zonal[l] = lobe_factor(l, exponent) * sqrt((2.0 * float(l) + 1.0) / 12.566371);
-    return sums + specular * gathered(zonal, unit(2.0 * dot(normal, to_eye) * normal - to_eye), reaching);
+    vec3 sums = place.albedo * gathered(zonal, place.normal, reaching);
+    for (int l = 0; l < BANDS; ++l) zonal[l] = lobe_factor(l, place.exponent) * sqrt((2.0 * float(l) + 1.0) / 12.566371);
+    vec3 about = unit(2.0 * dot(place.normal, to_eye) * place.normal - to_eye);
+    return sums + place.specular * gathered(zonal, about, reaching);
 }

@@ -92,7 +92,7 @@ void expect_radiance_of_relighting(const TemporaryFolder& folder, const std::vec
 TEST(EmittedCpp, GivesTheRadianceOfRelightingByEveryCompiler) {
   const TemporaryFolder folder;
   std::vector<EmittedCase> all = emitted_cases();
-  for (const std::vector<EmittedCase>& more : {clustered_cases(), coated_cases()}) {
+  for (const std::vector<EmittedCase>& more : {clustered_cases(), coated_cases(), highest_cases()}) {
     all.insert(all.end(), more.begin(), more.end());
   }
   for (const EmittedCase& one : all) {

@@ -1,35 +1,42 @@
-// Vertex shaders run by Mesa, with an output captured, `radiance` if no other.
+// Shaders run by Mesa: vertex shaders with an output captured, `radiance` if no other, or programs that draw pixels.
 #pragma once
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <cstring>
 #include <string>
 #include <vector>
 
 namespace sh::prt::test {
 
-inline GLuint linked(const std::string& source, const char* output = "radiance") {
+/// The program of two shaders, with an output of the vertices captured unless it is null.
+inline GLuint linked(const std::string& vertices, const std::string& pixels, const char* output) {
   const GLuint program = glCreateProgram();
   const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
-  const bool is_es = source.rfind("#version 300 es", 0) == 0;
   const GLuint fragment = glCreateShader(GL_FRAGMENT_SHADER);
-  const std::string nothing = std::string(is_es ? "#version 300 es\n" : "#version 450 core\n") + "void main() {}\n";
-  for (const auto& [stage, text] : {std::pair{shader, source}, {fragment, nothing}}) {
+  for (const auto& [stage, text] : {std::pair{shader, vertices}, {fragment, pixels}}) {
     const char* pointer = text.c_str();
     glShaderSource(stage, 1, &pointer, nullptr);
     glCompileShader(stage);
     glAttachShader(program, stage);
   }
-  glTransformFeedbackVaryings(program, 1, &output, GL_INTERLEAVED_ATTRIBS);
+  if (output != nullptr) glTransformFeedbackVaryings(program, 1, &output, GL_INTERLEAVED_ATTRIBS);
   glLinkProgram(program);
   GLint good = GL_FALSE;
   glGetProgramiv(program, GL_LINK_STATUS, &good);
-  char log[512] = "";
-  glGetShaderInfoLog(shader, sizeof log, nullptr, static_cast<char*>(log));
-  EXPECT_EQ(good, GL_TRUE) << static_cast<const char*>(log);
+  std::array<char, 512> log{};
+  glGetShaderInfoLog(shader, log.size(), nullptr, log.data());
+  std::array<char, 512> more{};
+  glGetShaderInfoLog(fragment, more.size(), nullptr, more.data());
+  EXPECT_EQ(good, GL_TRUE) << log.data() << more.data();
   return program;
+}
+
+inline GLuint linked(const std::string& source, const char* output = "radiance") {
+  const bool is_es = source.rfind("#version 300 es", 0) == 0;
+  return linked(source, std::string(is_es ? "#version 300 es\n" : "#version 450 core\n") + "void main() {}\n", output);
 }
 
 /// values (vertices, components) in memory.

@@ -1,0 +1,32 @@
+
+#ifdef MAPS
+layout(location = 9) in vec3 texture_place;      // coordinates, 1 + number of the normal map or 0
+layout(location = 10) in vec3 tangent;           // unit, along u: of the faces around that show the picture,
+layout(location = 11) in vec3 mirrored_tangent;  // and of those that mirror it
+#endif
+
+void main() {
+#ifdef CARRIED
+    float reaching[3 * COUNT];
+    transferred(reaching);
+    for (int i = 0; i < 4 * CARRIED; ++i) at_reaching[i / 4][i % 4] = i < 3 * COUNT ? reaching[i] : 0.0;
+#endif
+    at_position = position;
+    at_normal = normal;
+    at_albedo = albedo;
+#ifdef LOBES
+    at_lobe = vec4(specular, exponent);
+#endif
+#ifdef BRDFS
+    at_brdf = brdf;
+#endif
+#ifdef EMITTED
+    at_emitted = emitted;
+#endif
+#ifdef MAPS
+    at_texture = texture_place;
+    at_tangent = tangent;
+    at_mirrored = mirrored_tangent;
+#endif
+    gl_Position = to_clip * vec4(position, 1.0);
+}
