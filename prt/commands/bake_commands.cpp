@@ -9,7 +9,9 @@
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/plan/plan.hpp"
+#include "prt/runtime/fixed_view.hpp"
 #include "prt/runtime/glossy.hpp"
+#include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
 namespace {
@@ -37,6 +39,7 @@ struct SceneOptions {
 
 struct BakeCommand : SceneOptions {
   std::string output;
+  std::string vectors;  // empty: none
   std::string instruction_set;
   std::size_t bounce_memory = 4096;  // MiB
   bool strict = false;
@@ -196,9 +199,23 @@ void report_bake(const Transfer& transfer, const BakeReport& report) {
              static_cast<double>(peak_memory()) / 1048576.0);
 }
 
+void require_vectors(const BakeCommand& options, const Scene& scene) {
+  if (options.vectors.empty()) return;
+  output::require_no_input(options.vectors, scene.files);
+  if (std::filesystem::weakly_canonical(options.vectors) == std::filesystem::weakly_canonical(options.output)) {
+    throw std::invalid_argument(
+        fmt::format("--vectors: expected another file than the output, got {}", options.vectors));
+  }
+  if (!scene.bake.kind->is_glossy()) {
+    throw std::invalid_argument(
+        fmt::format("--vectors: the kind {} has vectors already; expected a glossy kind", scene.bake.kind->word));
+  }
+}
+
 void run_bake(const BakeCommand& options) {
   const Stopwatch stopwatch;
   if (!options.only_estimate) require_output(options.output);
+  if (!options.vectors.empty()) require_output(options.vectors);
   const BakeSettings settings{.threads = options.threads,
                               .instruction_set = options.instruction_set,
                               .on_flaw = on_flaw(options.strict),
@@ -208,12 +225,14 @@ void run_bake(const BakeCommand& options) {
   output::require_no_input(options.output, job.scene.files);
   output::require_no_input(settings.checkpoint.path, job.scene.files);
   options.apply_to(job.scene);
+  require_vectors(options, job.scene);
   if (options.only_estimate) return print_estimate(planned(std::move(job)));
   if (options.budget_seconds) job.budget = BakeBudget{*options.budget_seconds, stopwatch};
   BakeReport report;
   const Transfer transfer = bake_to_file(options.output, std::move(job), &report,
                                          [](const std::string& line) { fmt::print(stderr, "prt: {}\n", line); });
   report_bake(transfer, report);
+  if (!options.vectors.empty()) write_transfer(options.vectors, diffuse_vectors(transfer));
   report_time(stopwatch, fmt::format("baked {} vertices, {} faces, degree {}, {} directions, into {}",
                                      transfer.mesh.positions.size(), transfer.mesh.faces.size(), transfer.degree(),
                                      transfer.directions, options.output));
@@ -254,6 +273,9 @@ void add_bake_command(CLI::App& tool) {
   CLI::App& command = *tool.add_subcommand("bake", "compute the transfer vectors of a scene");
   options->add_to(command);
   command.add_option("-o,--output", options->output, "transfer file to write");
+  command.add_option(
+      "--vectors", options->vectors,
+      "glossy kinds: a second transfer file to write, the vectors of diffuse surfaces, from the same run");
   command.add_flag("--estimate", options->only_estimate, "print the estimated time and memory as JSON and stop");
   command
       .add_option("--bounce-memory", options->bounce_memory,

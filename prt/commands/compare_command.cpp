@@ -14,6 +14,7 @@
 #include "prt/commands/commands.hpp"
 #include "prt/image/image.hpp"
 #include "prt/rays/tracer.hpp"
+#include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/scene/camera.hpp"
 #include "prt/study/error_picture.hpp"
@@ -44,8 +45,14 @@ bool is_transfer(const std::string& file) {
   return std::equal(magic.begin(), magic.end(), layout::kMagic.begin());
 }
 
-Radiances shaded(const Transfer& transfer, const std::vector<Light>& lights, const WindowOptions& window) {
-  const std::vector<Eigen::Vector3f> relit = relight(transfer, project_windowed(lights, transfer.degree(), window));
+/// Exit radiance of every vertex, of glossy surfaces towards the eye.
+Radiances shaded(const Transfer& transfer, const std::vector<Light>& lights, const WindowOptions& window,
+                 const Eigen::Vector3d& eye) {
+  const LightCoefficients light = project_windowed(lights, transfer.degree(), window);
+  const std::vector<Eigen::Vector3f> relit =
+      transfer.kind->is_glossy()
+          ? exit_radiance(transfer, TransferredRadiance(transfer, light), eye, transfer.mesh.albedo)
+          : relight(transfer, light);
   require_finite(relit, transfer.scene);
   Radiances radiances;
   for (const Eigen::Vector3f& radiance : relit) radiances.push_back(radiance.cast<double>());
@@ -75,11 +82,13 @@ Compared compare_transfers(const Options& options) {
   }
   const ChosenLight chosen = choose_light(options.light);
   const Camera camera = chosen.camera.value_or(default_camera(second.mesh, options.size));
-  const VertexErrors errors = vertex_errors(second.mesh, camera, shaded(first, chosen.lights, options.light.window),
-                                            shaded(second, chosen.lights, options.light.window));
+  const auto seen = [&](const Transfer& transfer) {
+    return shaded(transfer, chosen.lights, options.light.window, camera.position);
+  };
+  const VertexErrors errors = vertex_errors(second.mesh, camera, seen(first), seen(second));
   Compared compared{
-      "exit radiance, over the root mean square of the reference; vertices weigh by area over the "
-      "squared distance to the camera",
+      "exit radiance (of glossy surfaces towards the camera), over the root mean square of the reference; vertices weigh "
+      "by area over the squared distance to the camera",
       errors.error.rms,
       errors.error.largest,
       {{"worst_vertex", errors.error.worst_vertex},

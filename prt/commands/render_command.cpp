@@ -140,8 +140,8 @@ void add_render_command(CLI::App& tool) {
                   "PNG file to write, frames become out_000.png, ...; or one .webp file with all frames")
       ->required();
   command.add_flag("--sharp", options->subject.sharp,
-                   "lobes show the bands of the light above the transfer's degree, too: prefiltered, shadowed at the "
-                   "mirrored direction, without bounces");
+                   "lobes, and those nearest to BRDFs, show the bands of the light above the transfer's degree, too: "
+                   "prefiltered, shadowed at the mirrored direction, without bounces");
   command.add_option("--width", options->size.width, "width in pixels");
   command.add_option("--height", options->size.height, "height in pixels");
   command.add_option("--samples", options->size.samples, "rays for each pixel");

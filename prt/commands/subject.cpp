@@ -82,6 +82,12 @@ void SubjectOptions::add_to(CLI::App& command) {
       ->default_str("")
       ->expected(3);
   command
+      .add_option("--lobe", shading.lobe,
+                  "R G B E: a lobe of this reflectance and exponent instead of lobes and BRDFs (glossy kinds, not with "
+                  "bounces)")
+      ->default_str("")
+      ->expected(4);
+  command
       .add_option("--local", local,
                   "sample sphere and polygon lights at this many points of the mesh, or at the corners of an "
                   "`octahedron` around it (not with bounces)")
@@ -93,7 +99,8 @@ Subject::Subject(const SubjectOptions& options)
       is_stage_(has_extension(options.file, ".json")),
       on_flaw_(on_flaw(options.light.strict)),
       shading_(options.shading),
-      stage_(is_stage_ ? load_stage(options.file, options.transfers) : stage_of(read_transfer(options.file))),
+      stage_(is_stage_ ? load_stage(options.file, options.transfers)
+                       : stage_of(options.shading.with_lobe(read_transfer(options.file)))),
       chosen_(without_windows_if_sharp(choose_light(options.light, stage_.lights), options)),
       lighting_(
           stage_, [&](int degree) { return project_windowed(chosen_.lights, degree, options.light.window); },
@@ -112,14 +119,23 @@ Subject::Subject(const SubjectOptions& options)
       throw std::runtime_error(fmt::format(
           "{}: --sharp: expected glossy transfer and light in color; it adds to the lobes of surfaces", file_));
     }
-    const Transfer& transfer = only_transfer();
-    sharp_.emplace([&](const Eigen::Vector3d& direction) { return sh::prt::radiance(chosen_.lights, direction); },
-                   shading_.degree_for(transfer.degree()), transfer.mesh);
+    make_sharp();
   }
   if (options.local.empty()) return;
   local_ = local_samples(options, *stage_.objects.front().transfer, is_stage_);
   if (!varies(chosen_.lights)) {
     tell_once(fmt::format("--local {}: no light is a sphere or a polygon, so that it changes nothing", options.local));
+  }
+}
+
+void Subject::make_sharp() {
+  const Transfer& transfer = only_transfer();
+  Mesh shown = transfer.mesh;
+  shown.albedo = shading_.albedo(shown);  // the color of metals
+  sharp_.emplace([this](const Eigen::Vector3d& direction) { return sh::prt::radiance(chosen_.lights, direction); },
+                 shading_.degree_for(transfer.degree()), std::move(shown));
+  for (const FittedBrdf& fitted : sharp_->fits()) {
+    fmt::print(stderr, "prt: above degree {}: {}\n", transfer.degree(), described(fitted));
   }
 }
 
@@ -153,8 +169,8 @@ Surface Subject::surface(const std::vector<Pose>& poses, const Mesh& mesh, const
   MoreOfLobe more;
   if (sharp_) {
     more = [this, &transfer, back = light_turn.transpose().cast<float>().eval()](
-               const Hit& hit, float exponent, const Eigen::Vector3f& direction) -> Eigen::Vector3f {
-      return visibility_towards(transfer, hit, direction) * sharp_->at(exponent, back * direction);
+               const Hit& hit, std::size_t vertex, const Eigen::Vector3f& direction) -> Eigen::Vector3f {
+      return visibility_towards(transfer, hit, direction) * sharp_->at(vertex, back * direction);
     };
   }
   return glossy_surface(transfer, reaching(light_turn), shading_.albedo(transfer.mesh), std::move(more));

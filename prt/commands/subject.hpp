@@ -62,6 +62,7 @@ class Subject {
   [[nodiscard]] const Transfer& only_transfer() const { return *stage_.objects.front().transfer; }
   [[nodiscard]] std::vector<Eigen::Vector3f> local_radiance(const Eigen::Matrix3d& light_turn) const;
   [[nodiscard]] TransferredRadiance reaching(const Eigen::Matrix3d& light_turn) const;
+  void make_sharp();
   void tell_once(const std::string& line);
 
   std::string file_;

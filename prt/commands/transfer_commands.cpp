@@ -128,7 +128,14 @@ struct ShaderCommand {
 };
 
 void run_shader(const ShaderCommand& options) {
-  print_out(vertex_shader(*find_kind(&TransferKind::letters, options.kind), options.degree, options.white,
+  const TransferKind& kind = *find_kind(&TransferKind::letters, options.kind);
+  if (kind.is_glossy()) {
+    throw std::invalid_argument(
+        fmt::format("--kind {}: the shader of a glossy kind depends on its file; expected DU, DS or DI, or `prt emit "
+                    "FILE --lang glsl`",
+                    options.kind));
+  }
+  print_out(vertex_shader(kind, options.degree, options.white,
                           options.language == "450" ? ShaderLanguage::kGlsl450 : ShaderLanguage::kEs300));
 }
 
@@ -167,8 +174,7 @@ void add_info_command(CLI::App& tool) {
 void add_shader_command(CLI::App& tool) {
   auto options = std::make_shared<ShaderCommand>();
   CLI::App& command = *tool.add_subcommand("shader", "print a complete vertex shader that relights");
-  auto letters = kind_names(&TransferKind::letters);
-  std::erase_if(letters, [](std::string_view name) { return find_kind(&TransferKind::letters, name)->is_glossy(); });
+  const auto letters = kind_names(&TransferKind::letters);
   command
       .add_option("--kind", options->kind,
                   "kind of transfer: DU reads normals, DS rows of one channel, DI rows of three")

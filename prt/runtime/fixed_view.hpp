@@ -12,4 +12,9 @@ namespace sh::prt {
 /// rounding. Throws std::invalid_argument for transfer that is not glossy.
 Transfer seen_from(const Transfer& glossy, const Eigen::Vector3d& eye);
 
+/// The transfer vectors of diffuse surfaces in `glossy`, of the kind with bounces: what leaves by the albedo alone, or by that
+/// of the fit in place of a BRDF (prt/material/lobe_fit.hpp), to every eye. The light has met lobes on its way there. Throws
+/// as seen_from.
+Transfer diffuse_vectors(const Transfer& glossy);
+
 }  // namespace sh::prt

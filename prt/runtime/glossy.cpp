@@ -183,9 +183,7 @@ Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, s
     const auto sent = [&](std::size_t corner) {
       const Material material = material_of(mesh, face[corner], color);
       Eigen::Vector3f radiance = exit_radiance(material, all.degree(), between.data(), normal, -direction);
-      if (more && !material.brdf && !material.specular.isZero(0.0F)) {
-        radiance += material.specular.cwiseProduct(more(hit, material.exponent, mirrored(direction, normal)));
-      }
+      if (more) radiance += more(hit, face[corner], mirrored(direction, normal));
       return radiance;
     };
     Eigen::Vector3f radiance = sent(0);

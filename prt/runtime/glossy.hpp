@@ -59,8 +59,8 @@ std::optional<SharpestLobe> sharpest_lobe(const Transfer& transfer);
 /// The part of each BRDF of the mesh that the degree of the transfer holds (reflectance.hpp); nothing for diffuse transfer.
 std::vector<double> held_shares_of_brdfs(const Transfer& transfer);
 
-/// Radiance that a lobe gathers besides, of linear RGB, about a unit direction at a place.
-using MoreOfLobe = std::function<Eigen::Vector3f(const Hit& hit, float exponent, const Eigen::Vector3f& direction)>;
+/// Radiance that the lobe of a vertex sends besides, of linear RGB, from about a unit direction at a place.
+using MoreOfLobe = std::function<Eigen::Vector3f(const Hit& hit, std::size_t vertex, const Eigen::Vector3f& direction)>;
 
 /// What a picture shows, shaded at every hit; `albedo` (vertices) serves in place of the mesh's. `transfer` must outlive
 /// the result. more: empty, or the part of lobes that the transfer cannot hold (prt/runtime/sharp_layer.hpp).

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "prt/kinds/kinds.hpp"
+#include "prt/material/lobe.hpp"
 #include "prt/runtime/relight.hpp"
 
 namespace sh::prt {
@@ -27,6 +29,37 @@ void Shading::require_fit(const Transfer& transfer, int highest) const {
     throw std::invalid_argument(
         "--recolor: transfer with bounces holds its albedo; only kinds without bounces can be recolored");
   }
+  if (!lobe.empty()) require_lobe(transfer);
+}
+
+void Shading::require_lobe(const Transfer& transfer) const {
+  if (!transfer.kind->is_glossy() || transfer.kind->has_bounces()) {
+    throw std::invalid_argument(
+        fmt::format("--lobe: transfer of kind {} shows no other lobe than that of its bake; expected {} or {}",
+                    transfer.kind->letters, kGlossyUnshadowed.letters, kGlossyShadowed.letters));
+  }
+  const Eigen::Vector3f color(lobe[0], lobe[1], lobe[2]);
+  if (!(color.minCoeff() >= 0.0F && color.maxCoeff() <= 1.0F && lobe[3] >= 0.0F && lobe[3] <= kMaxExponent)) {
+    throw std::invalid_argument(fmt::format(
+        "--lobe {}: expected reflectances from 0 to 1 and an exponent from 0 to 1e6", fmt::join(lobe, " ")));
+  }
+  constexpr float kRounding = 1e-5F;
+  float most = 0.0F;
+  for (const Eigen::Vector3f& base : albedo(transfer.mesh)) most = std::max(most, (base + color).maxCoeff());
+  if (most > 1.0F + kRounding) {
+    throw std::invalid_argument(fmt::format(
+        "--lobe: reflects {:.3g} together with the albedo; expected at most 1 (--recolor sets another albedo)", most));
+  }
+}
+
+Transfer Shading::with_lobe(Transfer transfer) const {
+  if (lobe.empty()) return transfer;
+  Mesh& mesh = transfer.mesh;
+  mesh.brdf.clear();
+  mesh.brdfs = {};
+  mesh.specular.assign(mesh.positions.size(), {lobe[0], lobe[1], lobe[2]});
+  mesh.exponent.assign(mesh.positions.size(), lobe[3]);
+  return transfer;
 }
 
 int Shading::degree_for(int transfer_degree) const {

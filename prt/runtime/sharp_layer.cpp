@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "generated/cpp/evaluate.hpp"
 #include "numeric/oracle/legendre_rings.hpp"
@@ -115,9 +116,10 @@ std::array<Values, 3> sampled(const Grid& grid, const SkyRadiance& sky) {
 
 }  // namespace
 
-SharpLayer::SharpLayer(const SkyRadiance& sky, int degree, const Mesh& mesh) {
-  for (std::size_t v = 0; v < mesh.specular.size(); ++v) {
-    if (!mesh.specular[v].isZero(0.0F)) maps_[mesh.exponent[v]];
+SharpLayer::SharpLayer(const SkyRadiance& sky, int degree, Mesh mesh)
+    : fits_(fit_lobes(mesh, kMaxDegree)), specular_(std::move(mesh.specular)), exponent_(std::move(mesh.exponent)) {
+  for (std::size_t v = 0; v < specular_.size(); ++v) {
+    if (!specular_[v].isZero(0.0F)) maps_[exponent_[v]];
     if (maps_.size() > kMostExponents) {
       throw std::invalid_argument(fmt::format(
           "more than {} different exponents of lobes: expected fewer for their sharp part", kMostExponents));
@@ -156,6 +158,11 @@ Eigen::Vector3f SharpLayer::at(float exponent, const Eigen::Vector3f& direction)
   const float right = column - static_cast<float>(j);
   return (1.0F - down) * ((1.0F - right) * value(i, j) + right * value(i, j + 1)) +
          down * ((1.0F - right) * value(i + 1, j) + right * value(i + 1, j + 1));
+}
+
+Eigen::Vector3f SharpLayer::at(std::size_t vertex, const Eigen::Vector3f& direction) const {
+  if (specular_.empty() || specular_[vertex].isZero(0.0F)) return Eigen::Vector3f::Zero();
+  return specular_[vertex].cwiseProduct(at(exponent_[vertex], direction));
 }
 
 float visibility_towards(const Transfer& transfer, const Hit& hit, const Eigen::Vector3f& direction) {

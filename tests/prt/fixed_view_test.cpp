@@ -110,9 +110,69 @@ TEST(FixedView, IsAFileOfDiffuseTransfer) {
   EXPECT_EQ(read.coefficients, seen.coefficients);
 }
 
+// A diffuse floor and a torus with a lobe: the vectors are those of the floor, and of the diffuse part of the torus.
+Mesh floor_and_torus(float specular) {
+  Mesh mesh = primitive_mesh("plane", 1, Eigen::Affine3f(Eigen::Scaling(3.0F)));
+  refine(mesh, 0.3F);
+  mesh = finished(mesh, {0.7F, 0.5F, 0.2F}, Eigen::Vector3f::Zero(), 0.0F);
+  append(mesh, finished(primitive_mesh("torus", 10, Eigen::Affine3f(Eigen::Translation3f(0.0F, 0.0F, 0.4F))),
+                        {0.3F, 0.1F, 0.1F}, Eigen::Vector3f::Constant(specular), 9.0F));
+  return mesh;
+}
+
+TEST(DiffuseVectors, AreThoseOfDiffuseSurfacesToEveryEye) {
+  for (const TransferKind* kind : {&kGlossyUnshadowed, &kGlossyShadowed, &kGlossyInterreflected}) {
+    const Transfer glossy = baked(floor_and_torus(0.6F), kind, 256, 3);
+    const Transfer vectors = diffuse_vectors(glossy);
+    EXPECT_EQ(vectors.kind, &kInterreflected);
+    const LightCoefficients light = random_light(3, 8);
+    const TransferredRadiance reaching(glossy, light);
+    const std::vector<Eigen::Vector3f> relit = relight(vectors, light);
+    for (const Eigen::Vector3d& eye : kEyes) {
+      const std::vector<Eigen::Vector3f> wanted = exit_radiance(glossy, reaching, eye, glossy.mesh.albedo);
+      float apart = 0.0F;
+      for (std::size_t v = 0; v < relit.size(); ++v) {
+        const float off = (relit[v] - wanted[v]).cwiseAbs().maxCoeff();
+        if (glossy.mesh.specular[v].isZero(0.0F)) {
+          EXPECT_LT(off, 1e-5F) << kind->letters << " " << v;
+        }
+        apart = std::max(apart, off);
+      }
+      EXPECT_GT(apart, 0.05F) << "the torus has a lobe, too";
+    }
+  }
+}
+
+TEST(DiffuseVectors, MeetTheDiffuseBakeWhereNothingIsGlossy) {
+  const Mesh mesh = floor_and_torus(0.0F);
+  const LightCoefficients light = constant_light(4);
+  const std::vector<Eigen::Vector3f> rows = relight(baked(mesh, &kInterreflected, 2048, 4), light);
+  const std::vector<Eigen::Vector3f> vectors =
+      relight(diffuse_vectors(baked(mesh, &kGlossyInterreflected, 2048, 4)), light);
+  double squares = 0.0;
+  double all = 0.0;
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    squares += static_cast<double>((vectors[v] - rows[v]).squaredNorm());
+    all += static_cast<double>(rows[v].squaredNorm());
+  }
+  EXPECT_LT(std::sqrt(squares / all), 0.03) << "the clamped cosine to degree 4 is a little off";
+}
+
+TEST(DiffuseVectors, TakeTheAlbedoOfTheFitInPlaceOfABrdf) {
+  Mesh mesh = finished(primitive_mesh("sphere", 8), {0.6F, 0.4F, 0.2F}, Eigen::Vector3f::Zero(), 0.0F);
+  mesh.brdfs.number_of(microfacet_reflectance(0.5F, 0.0F));
+  mesh.brdf.assign(mesh.positions.size(), 1);
+  const Transfer vectors = diffuse_vectors(baked(mesh, &kGlossyShadowed, 64, 2));
+  EXPECT_TRUE(vectors.mesh.brdf.empty());
+  const std::vector<Eigen::Vector3f> relit = relight(vectors, constant_light(2));
+  EXPECT_GT(relit[0].x(), 0.3F);
+  EXPECT_LT(relit[0].x(), 0.6F) << "the coat takes its part";
+}
+
 TEST(FixedView, NeedsGlossyTransfer) {
   const Transfer diffuse = baked(primitive_mesh("box"), &kShadowed, 16, 1);
   EXPECT_NE(message_of([&] { seen_from(diffuse, kEyes.front()); }).find("expected a glossy kind"), std::string::npos);
+  EXPECT_NE(message_of([&] { diffuse_vectors(diffuse); }).find("expected a glossy kind"), std::string::npos);
 }
 
 }  // namespace

@@ -99,8 +99,10 @@ TEST_F(GlossyTool, BakesAndTellsBrdfs) {
   ASSERT_EQ(info["brdfs"].size(), 1U);
   EXPECT_EQ(info["brdfs"][0]["name"], "roughness 0.4, metallic 1");
   EXPECT_GT(info["brdfs"][0]["share_that_the_degree_holds"], 0.1);
-  succeeded({"render", folder->file("brdf"), "--sharp", "--width", "24", "--height", "16", "--samples", "1", "-o",
-             folder->file("b.png")});
+  const Finished sharp = succeeded({"render", folder->file("brdf"), "--sharp", "--width", "24", "--height", "16",
+                                    "--samples", "1", "-o", folder->file("b.png")});
+  EXPECT_NE(sharp.err.find("above degree 2: BRDF `roughness 0.4, metallic 1` as a lobe of exponent"), std::string::npos)
+      << sharp.err;
   write_all(folder->file("brdf.json"), scene_with(R"("brdf": "none.binary")", R"("degree": 2)"));
   expect_refused({"bake", folder->file("brdf.json"), "-o", folder->file("brdf2")},
                  "none.binary: cannot read the measured BRDF: No such file or directory");
@@ -179,14 +181,85 @@ TEST_F(GlossyTool, BakesByAPlanWithAnError) {
 
 TEST_F(GlossyTool, RefusesGlossyTransferWhereNoDirectionOfViewIsKnown) {
   const std::string file = folder->file("shadowed");
-  expect_refused({"shader", "--kind", "GS"}, "--kind");
-  expect_refused({"compare", file, file, "-o", folder->file("c.png")}, "expected diffuse transfer");
+  for (const std::string kind : {"GU", "GS", "GI"}) {
+    expect_refused({"shader", "--kind", kind}, "--kind " + kind + ": the shader of a glossy kind depends on its file");
+  }
   expect_refused({"render", file, "--local", "4", "-o", folder->file("x.png")}, "--local 4: glossy transfer");
   expect_refused({"relight", file, "--eye", "1", "2", "-o", folder->file("x.ply")}, "--eye");
   expect_refused({"relight", file, "--eye", "nan", "2", "1", "-o", folder->file("x.ply")}, "--eye");
   write_all(folder->file("stage.json"), R"({"objects": [{"transfer": "shadowed"}]})");
   expect_refused({"relight", folder->file("stage.json"), "-o", folder->file("x.ply")},
                  "a stage takes diffuse transfer");
+}
+
+// The visibility does not know the material.
+TEST_F(GlossyTool, ShowsAnotherLobeThanThatOfTheBake) {
+  const std::string other = R"("albedo": [0.1, 0.1, 0.1], "specular": [0.2, 0.5, 0.7], "exponent": 3)";
+  const auto mean = [](const std::vector<std::string>& options) {
+    std::vector<std::string> words = {
+        "relight", "--eye", "3", "-2", "1", "--light", "overcast", "-o", folder->file("a.ply")};
+    words.insert(words.end(), options.begin(), options.end());
+    const std::string said = succeeded(words).err;
+    return said.substr(said.find("mean exit radiance"));
+  };
+  const std::vector<std::string> lobe = {"--lobe", "0.2", "0.5", "0.7", "3"};
+  for (const std::string kind : {"unshadowed", "shadowed"}) {
+    const std::string bake = R"("directions": 128, "transfer": "glossy_)" + kind + "\"";
+    write_all(folder->file("other.json"),
+              R"({"meshes": [{"primitive": "torus", "segments": 16, )" + other + "}], \"bake\": {" + bake + "}}");
+    write_all(folder->file("gold.json"),
+              R"({"meshes": [{"primitive": "torus", "segments": 16, )" + kGold + "}], \"bake\": {" + bake + "}}");
+    for (const std::string name : {"other", "gold"}) {
+      succeeded({"bake", folder->file(name + ".json"), "-o", folder->file(name)});
+    }
+    std::vector<std::string> changed = {folder->file("gold")};
+    changed.insert(changed.end(), lobe.begin(), lobe.end());
+    EXPECT_EQ(mean(changed), mean({folder->file("other")})) << kind;
+    EXPECT_NE(mean(changed), mean({folder->file("gold")})) << kind;
+  }
+  const std::string file = folder->file("gold");
+  const auto refused = [&](const std::string& of, const std::vector<std::string>& numbers, const std::string& reason) {
+    std::vector<std::string> words = {"relight", of, "-o", folder->file("x.ply"), "--lobe"};
+    words.insert(words.end(), numbers.begin(), numbers.end());
+    expect_refused(words, reason);
+  };
+  refused(file, {"0.2", "0.5", "1.7", "3"}, "--lobe 0.2 0.5 1.7 3: expected reflectances from 0 to 1");
+  refused(file, {"0.2", "0.5", "0.7", "2e6"}, "an exponent from 0 to 1e6");
+  refused(file, {"0.2", "0.5", "nan", "2"}, "--lobe: expected a finite number, got nan");
+  refused(file, {"0.2", "0.5", "0.95", "2"}, "reflects 1.05 together with the albedo");
+  refused(file, {"0.2", "0.5"}, "--lobe");
+  succeeded({"bake", folder->file("gold.json"), "--kind", "shadowed", "--degree", "1", "--directions", "16", "-o",
+             folder->file("dull")});
+  refused(folder->file("dull"), {"0.2", "0.5", "0.7", "3"}, "transfer of kind DS shows no other lobe");
+}
+
+TEST_F(GlossyTool, ComparesBakesAsTheCameraSeesThem) {
+  const std::string shadowed = folder->file("shadowed");
+  const std::string unshadowed = folder->file("unshadowed");
+  const std::string picture = folder->file("compared.png");
+  const auto same = printed({"compare", shadowed, shadowed, "--light", "overcast", "-o", picture});
+  EXPECT_EQ(same["relative_rms"], 0.0);
+  EXPECT_GT(std::filesystem::file_size(picture), 100U);
+  EXPECT_GT(printed({"compare", unshadowed, shadowed, "--light", "overcast"})["relative_rms"], 0.05);
+  succeeded(
+      {"bake", folder->file("shadowed.json"), "--kind", "shadowed", "--directions", "128", "-o", folder->file("dull")});
+  EXPECT_GT(printed({"compare", folder->file("dull"), shadowed, "--light", "overcast"})["relative_rms"], 0.05)
+      << "diffuse transfer lacks the lobes";
+}
+
+TEST_F(GlossyTool, WritesVectorsOfDiffuseSurfacesFromTheSameRun) {
+  const std::string scene = folder->file("shadowed.json");
+  const std::string vectors = folder->file("vectors");
+  succeeded({"bake", scene, "--vectors", vectors, "--degree", "2", "--directions", "64", "-o", folder->file("both")});
+  EXPECT_EQ(printed({"info", vectors})["kind"], "DI");
+  EXPECT_EQ(printed({"info", folder->file("both")})["kind"], "GS");
+  succeeded({"relight", vectors, "--light", "overcast", "-o", folder->file("a.ply")});
+  const std::string none = folder->file("nothing");
+  expect_refused({"bake", scene, "--kind", "shadowed", "--vectors", vectors, "-o", none},
+                 "--vectors: the kind shadowed");
+  expect_refused({"bake", scene, "--vectors", none, "-o", none}, "expected another file than the output");
+  expect_refused({"bake", scene, "--vectors", scene, "-o", none}, "expected an output that is not an input too");
+  EXPECT_FALSE(std::filesystem::exists(none));
 }
 
 TEST_F(GlossyTool, FixesTheView) {

@@ -254,8 +254,8 @@ TEST(GlossySurface, BetweenLobesIsTheMeanOfTheirRadiance) {
   const Transfer transfer = baked(mesh, &kGlossyUnshadowed, 64, 3);
   const LightCoefficients light = random_light(3, 5);
   const auto at = [&](float u, float v, bool sharp) {
-    const MoreOfLobe more = [](const Hit&, float exponent, const Eigen::Vector3f& direction) {
-      return (exponent * Eigen::Vector3f(1.0F, 0.1F, direction.z())).eval();
+    const MoreOfLobe more = [&mesh](const Hit&, std::size_t vertex, const Eigen::Vector3f& direction) {
+      return (mesh.exponent[vertex] * Eigen::Vector3f(1.0F, 0.1F, direction.z())).eval();
     };
     const Surface surface =
         glossy_surface(transfer, TransferredRadiance(transfer, light), mesh.albedo, sharp ? more : MoreOfLobe());

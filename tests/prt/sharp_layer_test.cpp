@@ -11,7 +11,9 @@
 #include "numeric/oracle/quadrature.hpp"
 #include "prt/bake/compress.hpp"
 #include "prt/basis.hpp"
+#include "prt/light/light.hpp"
 #include "prt/material/lobe.hpp"
+#include "prt/material/microfacet.hpp"
 #include "prt/mesh/corners.hpp"
 #include "prt/runtime/glossy.hpp"
 #include "tests/prt/glossy_meshes.hpp"
@@ -137,8 +139,8 @@ TEST(SharpLayer, IsShownByTheSurface) {
   const Mesh mesh = ball(80.0F);
   const Transfer transfer = baked(mesh, &kGlossyUnshadowed, 64, 2);
   const TransferredRadiance reaching(transfer, random_light(2, 3));
-  const MoreOfLobe more = [](const Hit& hit, float exponent, const Eigen::Vector3f& direction) -> Eigen::Vector3f {
-    EXPECT_EQ(exponent, 80.0F);
+  const MoreOfLobe more = [&](const Hit& hit, std::size_t vertex, const Eigen::Vector3f& direction) -> Eigen::Vector3f {
+    EXPECT_EQ(vertex, mesh.faces[2][0]);
     EXPECT_NEAR(direction.norm(), 1.0F, 1e-5F);
     return Eigen::Vector3f(1.0F, 2.0F, static_cast<float>(hit.face));
   };
@@ -146,7 +148,52 @@ TEST(SharpLayer, IsShownByTheSurface) {
   const Hit hit{2, 0.2F, 0.3F, 1.0F};
   const Eigen::Vector3f plain = glossy_surface(transfer, reaching, mesh.albedo)(hit, towards);
   const Eigen::Vector3f sharp = glossy_surface(transfer, reaching, mesh.albedo, more)(hit, towards);
-  EXPECT_LT((sharp - plain - 0.8F * Eigen::Vector3f(1.0F, 2.0F, 2.0F)).norm(), 1e-5F);
+  EXPECT_LT((sharp - plain - Eigen::Vector3f(1.0F, 2.0F, 2.0F)).norm(), 1e-5F);
+}
+
+TEST(SharpLayer, OfAVertexHasTheColorOfItsLobe) {
+  Mesh mesh = ball(30.0F);
+  mesh.specular[3] = {0.1F, 0.2F, 0.4F};
+  mesh.specular[4].setZero();
+  const SkyRadiance sky = [](const Eigen::Vector3d& s) {
+    return Eigen::Vector3f::Constant(s.z() > 0.9 ? 1.0F : 0.0F).eval();
+  };
+  const SharpLayer layer(sky, 2, mesh);
+  const Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  EXPECT_GT(layer.at(30.0F, up).x(), 0.01F);
+  EXPECT_EQ(layer.at(std::size_t{3}, up), mesh.specular[3].cwiseProduct(layer.at(30.0F, up)));
+  EXPECT_EQ(layer.at(std::size_t{4}, up), Eigen::Vector3f::Zero());
+  EXPECT_TRUE(layer.fits().empty());
+}
+
+// Rough metal at degree 2 with the layer, against degree 10, which holds nearly all of it.
+TEST(SharpLayer, InPlaceOfABrdfIsThatOfTheNearestLobe) {
+  Mesh mesh = finished(primitive_mesh("sphere", 12), {0.9F, 0.7F, 0.3F}, Eigen::Vector3f::Zero(), 0.0F);
+  mesh.brdfs.number_of(microfacet_reflectance(0.45F, 1.0F));
+  mesh.brdf.assign(mesh.positions.size(), 1);
+  const LightSpec disc{.type = LightType::kCap, .direction = kSlanted, .one_minus_cos = 0.05};
+  const std::vector<Light> lights = load_lights({disc}, OnFlaw::kRefuse);
+  const SharpLayer layer([&](const Eigen::Vector3d& s) { return radiance(lights, s); }, 2, mesh);
+  ASSERT_EQ(layer.fits().size(), 1U);
+  const MoreOfLobe more = [&layer](const Hit&, std::size_t vertex, const Eigen::Vector3f& direction) {
+    return layer.at(vertex, direction);
+  };
+  const Transfer low = baked(mesh, &kGlossyUnshadowed, 1, 2);
+  const Transfer high = baked(mesh, &kGlossyUnshadowed, 1, kMaxDegree);
+  const Surface plain = glossy_surface(low, {low, project(lights, 2)}, mesh.albedo);
+  const Surface sharp = glossy_surface(low, {low, project(lights, 2)}, mesh.albedo, more);
+  const Surface whole = glossy_surface(high, {high, project(lights, kMaxDegree)}, mesh.albedo);
+  double off = 0.0;
+  double off_with_layer = 0.0;
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+    const Hit hit{f, 0.3F, 0.3F, 1.0F};
+    const Eigen::Vector3f towards = -interpolated(hit, mesh, mesh.normals).normalized();
+    const Eigen::Vector3f along = (towards + Eigen::Vector3f(0.3F, -0.2F, 0.1F)).normalized();
+    const Eigen::Vector3f expected = whole(hit, along);
+    off += static_cast<double>((plain(hit, along) - expected).squaredNorm());
+    off_with_layer += static_cast<double>((sharp(hit, along) - expected).squaredNorm());
+  }
+  EXPECT_LT(std::sqrt(off_with_layer), 0.3 * std::sqrt(off));
 }
 
 }  // namespace
