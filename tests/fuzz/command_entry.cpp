@@ -258,8 +258,8 @@ bool is_quick(const std::vector<std::string>& words) {
   const bool has_few_frames = words.end() - frames < 2 || is_small(*std::next(frames));
   bool is_mesh_alone = false;  // not only an output
   for (std::size_t i = 2; i < words.size(); ++i) {
-    const bool is_output = words[i - 1] == "-o" || words[i - 1] == "--checkpoint";
-    is_mesh_alone = is_mesh_alone || (words[i] == "a.stl" && !is_output);
+    is_mesh_alone = is_mesh_alone || words[i] == "a.stl";
+    if (words[i] == "-o" || words[i] == "--checkpoint") ++i;  // its value, which may look like an option
   }
   return (!draws || (has_width && (has_height || command == "grid"))) && has_few_frames && !is_mesh_alone;
 }
