@@ -110,20 +110,25 @@ void for_clustered(const Transfer& transfer, const std::vector<float>& light, co
 /// Values of rows that outgrow the caches: radiance that is written beside them would not stay there either.
 constexpr std::size_t kCachedValues = (32U << 20U) / sizeof(float);
 
-/// out = values times factors, past the caches where that is possible, so that no line of `out` is read first.
-void multiply_past_caches(const float* values, const float* factors, std::size_t count, float* out) {
+/// out = values times factors (values alone if that is null), past the caches where that is possible, so that no line of
+/// `out` is read first.
+void write_past_caches(const float* values, const float* factors, std::size_t count, float* out) {
+  const auto value = [=](std::size_t i) { return factors == nullptr ? values[i] : values[i] * factors[i]; };
   std::size_t i = 0;
 #if defined(__SSE2__)
   constexpr std::size_t kFour = sizeof(__m128) / sizeof(float);
-  for (; i < count && reinterpret_cast<std::uintptr_t>(out + i) % sizeof(__m128) != 0; ++i) {
-    out[i] = values[i] * factors[i];
-  }
+  for (; i < count && reinterpret_cast<std::uintptr_t>(out + i) % sizeof(__m128) != 0; ++i) out[i] = value(i);
   for (; i + kFour <= count; i += kFour) {
-    _mm_stream_ps(out + i, _mm_mul_ps(_mm_loadu_ps(values + i), _mm_loadu_ps(factors + i)));
+    __m128 four = _mm_loadu_ps(values + i);
+    if (factors != nullptr) {
+      __builtin_prefetch(factors + i + 3 * kVerticesAtOnce, 0, 2);  // those of the next range
+      four = _mm_mul_ps(four, _mm_loadu_ps(factors + i));
+    }
+    _mm_stream_ps(out + i, four);
   }
   _mm_sfence();
 #endif
-  for (; i < count; ++i) out[i] = values[i] * factors[i];
+  for (; i < count; ++i) out[i] = value(i);
 }
 
 /// The sums of `count` vertices from `first` on, times their colors if the rows hold no albedo, with the emitted light;
@@ -151,13 +156,13 @@ void relight_with(const Transfer& transfer, const LightCoefficients& light, std:
       finish(transfer, v, 1, &colors[v], &radiance[v]);
     });
   }
-  const bool past_caches =
-      transfer.coefficients.size() > kCachedValues && !transfer.shape.holds_albedo && transfer.emitted.empty();
+  const bool past_caches = transfer.coefficients.size() > kCachedValues && transfer.emitted.empty();
   for_ranges(transfer, [&](std::size_t first, std::size_t count) {
     if (past_caches) {
       std::array<float, 3 * kVerticesAtOnce> sums;
       sums_of(transfer.shape, transfer.row(first), count, values, sums.data());
-      return multiply_past_caches(sums.data(), colors[first].data(), 3 * count, radiance[first].data());
+      return write_past_caches(sums.data(), transfer.shape.holds_albedo ? nullptr : colors[first].data(), 3 * count,
+                               radiance[first].data());
     }
     sums_of(transfer.shape, transfer.row(first), count, values, radiance[first].data());
     finish(transfer, first, count, &colors[first], &radiance[first]);

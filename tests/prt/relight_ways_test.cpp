@@ -80,20 +80,23 @@ TEST(RelightBits, OfOneVertexAndOfGrayOnesAreTheSame) {
 
 // Radiance of so many rows is written past the caches; the array of radiance lies at 16 bytes, or 4 or 8 behind.
 TEST(RelightBits, OfMoreRowsThanTheCachesHoldAreTheSame) {
-  constexpr std::size_t kVertices = 340'003;  // 34 MB
-  Transfer transfer = random_transfer(kShadowed, 4, kVertices, 2);
-  const LightCoefficients light = random_light(4, 3);
-  for (const bool emits : {false, true}) {
-    if (emits) transfer.emitted.assign(kVertices, Eigen::Vector3f(1.0F, 2.0F, 3.0F));
-    for (const std::size_t offset : {0U, 1U, 2U}) {
-      std::vector<Eigen::Vector3f> room(kVertices + offset);
-      const std::span radiance = std::span(room).subspan(offset);
-      relight_into(transfer, light, radiance);
-      for (std::size_t v = 0; v < kVertices; v += v + 100 < kVertices ? 97 : 1) {
-        for (int c = 0; c < 3; ++c) {
-          float expected = plain_sum(transfer, v, static_cast<std::size_t>(c), light) * transfer.mesh.albedo[v][c];
-          if (emits) expected += transfer.emitted[v][c];
-          ASSERT_EQ(radiance[v][c], expected) << v << " " << offset << " " << emits;
+  for (const TransferKind* kind : {&kShadowed, &kInterreflected}) {
+    const std::size_t vertices = (std::size_t{9} << 20U) / kind->shape(4).length() + 3;  // 36 MB
+    Transfer transfer = random_transfer(*kind, 4, vertices, 2);
+    const LightCoefficients light = random_light(4, 3);
+    for (const bool emits : {false, true}) {
+      transfer.emitted.assign(emits ? vertices : 0, Eigen::Vector3f(1.0F, 2.0F, 3.0F));
+      for (const std::size_t offset : {0U, 1U, 2U}) {
+        std::vector<Eigen::Vector3f> room(vertices + offset);
+        const std::span radiance = std::span(room).subspan(offset);
+        relight_into(transfer, light, radiance);
+        for (std::size_t v = 0; v < vertices; v += v + 100 < vertices ? 97 : 1) {
+          for (int c = 0; c < 3; ++c) {
+            float expected = plain_sum(transfer, v, static_cast<std::size_t>(c), light);
+            if (!transfer.shape.holds_albedo) expected *= transfer.mesh.albedo[v][c];
+            if (emits) expected += transfer.emitted[v][c];
+            ASSERT_EQ(radiance[v][c], expected) << kind->letters << " " << v << " " << offset << " " << emits;
+          }
         }
       }
     }
