@@ -1,6 +1,7 @@
 // What the tests share: the tool `prt`, a browser, and pages in it whose errors fail the test.
-import { execFileSync, spawnSync } from 'node:child_process';
+import { execFileSync, spawn, spawnSync } from 'node:child_process';
 import fs from 'node:fs';
+import http from 'node:http';
 import os from 'node:os';
 import path from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -23,6 +24,35 @@ export function refusal(...words) {
   const run = spawnSync(kPrt, words.map(String), { cwd: folder, encoding: 'utf8' });
   if (run.status !== 2) throw new Error(`prt ${words.join(' ')}: exit code ${run.status}, ${run.stderr}`);
   return run.stderr.trim().replace(/^prt: /, '');
+}
+
+/** prt that runs on: line(pattern) waits for what it prints, end() interrupts it and tells its exit code. */
+export function spawnPrt(...words) {
+  const child = spawn(kPrt, words.map(String), { cwd: folder });
+  let text = '';
+  child.stderr.on('data', (data) => { text += data; });
+  const ended = new Promise((done) => { child.on('exit', done); });
+  return {
+    async line(pattern) {
+      for (let left = 600; left > 0; --left) {
+        if (pattern.test(text)) return pattern.exec(text)[0];
+        if (child.exitCode !== null) break;
+        await new Promise((done) => { setTimeout(done, 100); });
+      }
+      throw new Error(`prt ${words.join(' ')}: ${text}`);
+    },
+    end() {
+      child.kill('SIGINT');
+      return ended;
+    },
+  };
+}
+
+/** The status of an answer to a request that calls the server by this name. */
+export function statusOf(address, host) {
+  return new Promise((done, fail) => {
+    http.get(address, { headers: { host } }, (answer) => { answer.resume(); done(answer.statusCode); }).on('error', fail);
+  });
 }
 
 export function writeJson(name, json) {
@@ -99,6 +129,11 @@ export async function withServedPage(name, files, use, options) {
     return route.fulfill({ path: found instanceof URL ? fileURLToPath(found) : found });
   };
   return withUrl(host + name, use, { isOwn: (url) => url.startsWith(host) || /^(data|blob):/.test(url), serve, ...options });
+}
+
+/** The same of a page that a server has. */
+export async function withAddress(address, use, options) {
+  return withUrl(address, use, { isOwn: (url) => url.startsWith(address) || /^(data|blob):/.test(url), ...options });
 }
 
 async function withUrl(url, use, { isOwn, serve, hash = '', width = 800, height = 480, ...more } = {}) {
