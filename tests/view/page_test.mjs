@@ -198,7 +198,7 @@ async function drop(page, name, text) {
 }
 
 test('Coefficients of prt project that are dropped on the page light it', async () => {
-  writeJson('sky.json', kSky);
+  writeJson('sky.json', [{ ...kSky[0], sun: { elevation: 20, azimuth: 100 } }]);  // not the light of the page
   const json = prt('project', 'sky.json', '--degree', 4);
   prt('relight', 'bounced.transfer', '--light', 'sky.json', '-o', 'dropped.ply');
   await withPage('bounced.html', async (page) => {
