@@ -39,7 +39,7 @@ const kSections = [
 }));
 
 const kDiffuse = { highest: kMaxDegree, meets: 'dot', result: () => 0, channels: 1, cosine: true, albedo: false };
-const kGlossy = { highest: 4, meets: 'operator', result: (degree) => degree, channels: 1, cosine: false, albedo: false };
+const kGlossy = { highest: 5, meets: 'operator', result: (degree) => degree, channels: 1, cosine: false, albedo: false };
 const kKinds = {
   DU: kDiffuse,
   DS: kDiffuse,
