@@ -120,6 +120,11 @@ TEST_F(FormatsTool, FilesThatAreNoLightAreRefused) {
   refused("unity.json", R"({"SphericalHarmonicsL2": {"r": [0,0,0,0,0,0,0,0,0], "g": 1}})", "/SphericalHarmonicsL2/g");
   refused("constants.json", R"({"shader_constants": {}})", "unity_SHC: the key is missing");
   refused("scene.glb", R"({"asset": {"version": "2.0"}})", "EXT_lights_image_based/lights: the key is missing");
+  refused("turned.gltf",
+          R"({"asset": {}, "extensions": {"EXT_lights_image_based": {"lights": [{"rotation": [0, 1, 0, 0]}]}}})",
+          "/lights/0/rotation: expected none");
+  refused("number.gltf", R"({"asset": {}, "extensions": {"EXT_lights_image_based": {"lights": [3]}}})",
+          "irradianceCoefficients/0: the key is missing");
   refused("sh.txt", "( 1, 2, 3);\n( 1, 2\n", "line 2: expected ( red, green, blue);");
   refused("three.txt", "( 1, 2, 3);\n( 1, 2, 3);\n( 1, 2, 3);\n", "expected 1, 4 or 9 coefficients, got 3");
   refused("nan.txt", "( nan, 2, 3);\n", "finite coefficients");

@@ -339,6 +339,19 @@ TEST_F(LightFormats, ComeBackByImport) {
   EXPECT_EQ(readers, 8);
 }
 
+TEST_F(LightFormats, AreScaledByTheirIntensity) {
+  auto json = nlohmann::json::parse(bytes_of("threejs", light));
+  json["object"]["intensity"] = 2.5;
+  write_all(folder.file("a.json"), json.dump());
+  const auto probe = formats::import_light(folder.file("a.json")).light;
+  for (double& value : light.values) value *= 1e5;  // beyond RGBD: the writer puts a part of it into the intensity
+  const auto bright = formats::import_light(written("gltf")).light;
+  for (std::size_t i = 0; i < light.values.size(); ++i) {
+    EXPECT_NEAR(probe.values[i], 2.5e-5 * light.values[i], 1e-14);
+    EXPECT_NEAR(bright.values[i], light.values[i], 1e-9);
+  }
+}
+
 TEST_F(LightFormats, OfUnityComeBackFromShaderConstantsAlone) {
   auto json = nlohmann::json::parse(bytes_of("unity", light));
   json.erase("SphericalHarmonicsL2");

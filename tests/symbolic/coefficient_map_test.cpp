@@ -23,7 +23,8 @@ using Entries = std::vector<std::vector<double>>;  // [row][column]
 long double value(const cln::cl_R& number) {
   const auto& rational = cln::the<cln::cl_RA>(number);
   const double high = cln::double_approx(rational);
-  return static_cast<long double>(high) + cln::double_approx(rational - cln::rational(cln::cl_DF(high)));
+  const double low = cln::double_approx(rational - cln::rational(cln::cl_DF(high)));
+  return static_cast<long double>(high) + static_cast<long double>(low);
 }
 
 Complex value(const symbolic::RadicalSum& number) {
