@@ -29,10 +29,10 @@ std::string written(const Splats& splats, const std::string& ending, const Splat
 }
 
 /// The splats of a file of any format, by way of a PLY file.
-Splats read_back(const std::string& bytes) {
+Splats read_back(const std::string& bytes, const SplatEdit& edit = {}) {
   const TemporaryFolder folder;
   write_all(folder.file("in"), bytes);
-  convert_splats(folder.file("in"), folder.file("out.ply"), {});
+  convert_splats(folder.file("in"), folder.file("out.ply"), edit);
   return splats_of_ply(read_all(folder.file("out.ply")));
 }
 
@@ -240,6 +240,10 @@ TEST(SplatGlb, PlacesSplatsAsItsNodesSay) {
   const Eigen::Vector3d position = 2.0 * (quarter * Eigen::Vector3d(1.0, 2.0, 3.0)) + Eigen::Vector3d(10.0, 5.0, 0.0);
   EXPECT_LE((placed.position - kPlyToGlb * position).norm(), 1e-5);
   EXPECT_LE(color_difference(still, placed, kPlyToGlb * quarter * kPlyToGlb.transpose()), 1e-5);
+  SplatEdit edit;
+  edit.similarity = {Eigen::Matrix3d::Identity(), 3.0, Eigen::Vector3d(1.0, 0.0, 0.0)};
+  const Splat edited = read_back(small_glb({{"mesh", 0}}, false), edit).at(0);
+  EXPECT_LE((edited.position - kPlyToGlb * Eigen::Vector3d(34.0, 6.0, 9.0)).norm(), 1e-5) << "the edit moves the scene";
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
   matrix.topLeftCorner<3, 3>() = 2.0 * quarter;
   matrix.topRightCorner<3, 1>() = Eigen::Vector3d(0.0, 5.0, 0.0);

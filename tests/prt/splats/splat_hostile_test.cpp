@@ -232,6 +232,10 @@ TEST(HostileSplats, GlbNumbersOutOfRange) {
   std::memcpy(&opacity[third + 40], &wrong, 4);
   expect_unreadable(opacity,
                     "splat 3: component 0 of KHR_gaussian_splatting:OPACITY is not finite or not in its range");
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::string rotation = glb;
+  std::memcpy(&rotation[third + 12], &nan, 4);
+  expect_unreadable(rotation, "splat 3: component 0 of KHR_gaussian_splatting:ROTATION");
   std::string scale = glb;
   std::memcpy(&scale[third + 32], &wrong, 4);
   expect_unreadable(scale, "splat 3: component 1 of KHR_gaussian_splatting:SCALE");
