@@ -17,7 +17,8 @@ inline constexpr int kHighestGlbDegree = 3;
 std::unique_ptr<SplatReader> read_glb_splats(const std::string& file);
 
 /// One primitive whose attributes stand splat by splat, in single precision, with colors for viewers of points. Throws
-/// std::invalid_argument with one line without splats, above degree 3, and for more than 4 GB.
+/// std::invalid_argument with one line without splats, above degree 3, and for more than 4 GB; encode() throws
+/// std::runtime_error for a scale beyond single precision.
 std::unique_ptr<SplatWriter> write_glb_splats(const SplatOutput& output);
 
 }  // namespace sh::prt

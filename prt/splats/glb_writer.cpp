@@ -102,7 +102,8 @@ std::string front(const SplatOutput& output, const std::vector<GlbAttribute>& at
 class GlbWriter : public SplatWriter {
  public:
   explicit GlbWriter(const SplatOutput& output)
-      : attributes_(glb_attributes(output.degree)),
+      : name_(output.file),
+        attributes_(glb_attributes(output.degree)),
         stride_(stride_of(attributes_)),
         signs_(splat_signs(output.degree)),
         y00_(static_cast<float>(0.5 * std::sqrt(std::numbers::inv_pi))) {
@@ -142,13 +143,21 @@ class GlbWriter : public SplatWriter {
     const Eigen::Vector4d q = Eigen::Map<const Eigen::Vector4f>(&block.rotation[4 * i]).cast<double>();
     const double length = q.norm();
     for (const int k : {1, 2, 3, 0}) *to++ = static_cast<float>(q[k] / length);
-    for (std::size_t k = 0; k < 3; ++k) *to++ = static_cast<float>(scale_of_log(block.log_scale[3 * i + k]));
+    for (std::size_t k = 0; k < 3; ++k) *to++ = scale(block.log_scale[3 * i + k]);
     *to++ = static_cast<float>(opacity_of_logit(block.opacity[i]));
     const std::size_t size = signs_.size();
     const float* c = &block.harmonics[3 * size * i];
     for (std::size_t k = 0; k < size; ++k) {
       for (std::size_t channel = 0; channel < 3; ++channel) *to++ = c[channel * size + k] * signs_[k];
     }
+  }
+
+  [[nodiscard]] float scale(float log_scale) const {
+    const float linear = to_single(scale_of_log(log_scale));
+    if (std::isfinite(linear)) return linear;
+    throw std::runtime_error(
+        fmt::format("{}: the scale e^{} of a splat exceeds single precision; expected a smaller --scale", name_,
+                    static_cast<double>(log_scale)));
   }
 
   // For viewers that show points: linear, as glTF wants it.
@@ -163,6 +172,7 @@ class GlbWriter : public SplatWriter {
     return color;
   }
 
+  std::string name_;
   std::vector<GlbAttribute> attributes_;
   std::size_t stride_;
   std::vector<float> signs_;

@@ -11,6 +11,7 @@
 #include "numeric/output/read_file.hpp"
 #include "prt/splats/input_file.hpp"
 #include "prt/splats/splat_convention.hpp"
+#include "prt/splats/splat_numbers.hpp"
 
 namespace sh::prt {
 namespace {
@@ -145,7 +146,7 @@ void PlySplatMap::take_row(const Places& places, const char* record, float* row)
     if (place.is_double) {
       double value = 0.0;
       std::memcpy(&value, record + place.offset, sizeof value);
-      *row++ = static_cast<float>(value);
+      *row++ = to_single(value);
     } else {
       std::memcpy(row++, record + place.offset, sizeof(float));
     }

@@ -11,6 +11,13 @@ namespace sh::prt {
 inline constexpr double kLogOfZero = -104.6651;
 inline constexpr double kLogitOfOne = 18.0218;
 
+/// Infinite beyond single precision.
+inline float to_single(double value) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  if (!(std::abs(value) > kMost)) return static_cast<float>(value);
+  return std::copysign(std::numeric_limits<float>::infinity(), value < 0.0 ? -1.0F : 1.0F);
+}
+
 /// NaN for a negative scale.
 inline float log_of_scale(double scale) { return static_cast<float>(scale == 0.0 ? kLogOfZero : std::log(scale)); }
 

@@ -184,6 +184,25 @@ TEST(HostileSplats, EditsThatExceedSinglePrecision) {
   EXPECT_EQ(folder.entries(), 1U);
 }
 
+TEST(HostileSplats, ScalesThatOnlyTheirLogarithmsHold) {
+  Splats splats = random_splats(20, 1, 77);
+  splats[3].log_scale[1] = 89.0;
+  const TemporaryFolder folder;
+  write_all(folder.file("in.ply"), ply_of(splats));
+  EXPECT_NE(message_of([&] {
+              convert_splats(folder.file("in.ply"), folder.file("out.glb"), {});
+            }).find("out.glb: the scale e^89 of a splat exceeds single precision"),
+            std::string::npos);
+  EXPECT_EQ(folder.entries(), 1U);
+  EXPECT_EQ(in_format(ply_of(splats), ".ply"), ply_of(splats));
+}
+
+TEST(HostileSplats, DoublesBeyondSinglePrecision) {
+  Splats splats = random_splats(20, 1, 78);
+  splats[3].position[1] = 1e300;
+  expect_unreadable(ply_of(splats, {.doubles = true}), "splat 3: y is not finite or not in its range (inf)");
+}
+
 TEST(HostileSplats, GlbFiles) {
   const std::string glb = in_format(good_ply(), ".glb");
   expect_unreadable(glb.substr(0, 11), "not a GLB file");
