@@ -11,6 +11,7 @@
 #include "numeric/output/atomic_file.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/light/light_coefficients.hpp"
+#include "prt/mesh/mend.hpp"
 #include "prt/splats/convert_splats.hpp"
 #include "prt/splats/splat_convention.hpp"
 #include "prt/splats/splat_numbers.hpp"
@@ -99,7 +100,7 @@ SplatEdit edit_of(const SplatsCommand& options) {
 }
 
 void warn(const std::string& what) {
-  if (!what.empty()) fmt::print(stderr, "prt: warning: {}\n", what);
+  if (!what.empty()) report_flaw(OnFlaw::kMend, what);
 }
 
 void run_convert(const SplatsCommand& options) {
