@@ -24,8 +24,9 @@ void Shader::use(const EmittedKernels& kernels, std::string_view name) {
 std::size_t ShaderData::height_of(std::string_view name, std::size_t texels) {
   const std::size_t height = std::max<std::size_t>(1, (texels + kTextureWidth - 1) / kTextureWidth);
   if (height <= kTextureHeight) return height;
-  throw std::invalid_argument(fmt::format("a texture of {} numbers for {}: expected at most {}; bake a lower degree",
-                                          texels, name, kTextureWidth * kTextureHeight));
+  throw std::invalid_argument(
+      fmt::format("a texture of {} numbers for {}: expected at most {}; bake a lower degree, or rows in clusters",
+                  texels, name, kTextureWidth * kTextureHeight));
 }
 
 void ShaderData::add_texture(std::string_view name, Element element, const void* numbers, std::size_t bytes) {
