@@ -91,17 +91,11 @@ struct GzipReader::State {
   bool at_end = false;
 };
 
-GzipReader::GzipReader(const InputFile& file) : file_(file), state_(new State) {
-  if (inflateInit2(&state_->stream, kGzipOnly) != Z_OK) {
-    delete state_;
-    throw std::bad_alloc();
-  }
+GzipReader::GzipReader(const InputFile& file) : file_(file), state_(std::make_unique<State>()) {
+  if (inflateInit2(&state_->stream, kGzipOnly) != Z_OK) throw std::bad_alloc();
 }
 
-GzipReader::~GzipReader() {
-  inflateEnd(&state_->stream);
-  delete state_;
-}
+GzipReader::~GzipReader() { inflateEnd(&state_->stream); }
 
 void GzipReader::refill() {
   const std::uint64_t left = file_.size() - state_->next;

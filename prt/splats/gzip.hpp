@@ -1,6 +1,7 @@
 // gzip streams [RFC 1952] by zlib, compressed on all threads.
 #pragma once
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +32,7 @@ class GzipReader {
 
   struct State;
   const InputFile& file_;
-  State* state_;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace sh::prt
