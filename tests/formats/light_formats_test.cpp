@@ -255,6 +255,18 @@ TEST_F(LightFormats, GiveFilamentItsMetadataAndReflections) {
   }
 }
 
+TEST_F(LightFormats, AreCubeMapsOfKtxWithThreeLevels) {
+  if (const std::string why = no_engines(); !why.empty()) GTEST_SKIP() << why;
+  const auto read = read_by("ktx", written("filament-ktx"));
+  EXPECT_EQ(read["cube"], true);
+  EXPECT_EQ(read["levels"], 3);
+  ASSERT_EQ(read["sizes"].size(), 18U);
+  for (std::size_t i = 0; i < 18; ++i) {
+    const std::size_t size = 64U >> (i / 6);
+    EXPECT_EQ(read["sizes"][i], (std::vector<std::size_t>{size, size, 8 * size * size}));
+  }
+}
+
 TEST_F(LightFormats, GiveUnityItsHarmonicsAndShaderConstants) {
   const auto json = nlohmann::json::parse(bytes_of("unity", light));
   expect_equal(

@@ -51,6 +51,14 @@ const readers = {
     return { size: light.specularImageSize, sizes: light.specularImages.map((six) => six.map(size_of)) };
   },
 
+  // three.js: the pictures of a KTX 1 file.
+  async ktx() {
+    const { KTXLoader } = await import('three/examples/jsm/loaders/KTXLoader.js');
+    const pictures = new KTXLoader().parse(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length), true);
+    const sizes = pictures.mipmaps.map(({ width, height, data }) => [width, height, data.length]);
+    return { cube: pictures.isCubemap, levels: pictures.mipmapCount, sizes };
+  },
+
   // three.js: the attributes of the one mesh, whose names three.js writes in lower case.
   async glb() {
     const { GLTFLoader } = await import('three/examples/jsm/loaders/GLTFLoader.js');
