@@ -26,10 +26,10 @@ struct KernelRecord {
   std::string name;    // basis_accurate_l4
   std::string family;  // basis_accurate
   int degree = 0;
-  bool has_shader = true;  // a file in generated/glsl
   Signature signature;
   RoundingAndTotal in_float;
   RoundingAndTotal in_double;
+  bool has_shader = true;  // a file in generated/glsl
 };
 
 /// A bound that the project promises, with its reason: it holds besides the limit that the recorded error gives.

@@ -9,10 +9,10 @@
 namespace sh::prt {
 
 struct Shading {
-  int degree = -1;             // higher bands are left out; -1 keeps all
-  bool white = false;          // the light's luminance in every channel
-  std::vector<float> recolor;  // linear RGB albedo that replaces the transfer's; empty: no change
-  std::vector<float> lobe;     // linear RGB reflectance and exponent, in place of lobes and BRDFs; empty: no change
+  int degree = -1;               // higher bands are left out; -1 keeps all
+  bool white = false;            // the light's luminance in every channel
+  std::vector<float> recolor{};  // linear RGB albedo that replaces the transfer's; empty: no change
+  std::vector<float> lobe{};     // linear RGB reflectance and exponent, in place of lobes and BRDFs; empty: no change
 
   /// Throws std::invalid_argument if a choice does not fit the transfer, or if the degree is above `highest`.
   void require_fit(const Transfer& transfer, int highest) const;
