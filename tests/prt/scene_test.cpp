@@ -148,7 +148,7 @@ TEST_F(SceneFile, IsRefusedWithABadLightCameraGroundOrOption) {
       {R"("lights": [{"type": "sun"}])",
        "/lights/0/type: expected one of constant, cie_overcast, cie_clear, cie_partly_cloudy, cie_sky, directional, "
        "cap, "
-       "sphere, polygon, environment, got \"sun\""},
+       "sphere, polygon, environment, coefficients, got \"sun\""},
       {R"("lights": [{"type": "environment"}])", "/lights/0: the key `file` is missing"},
       {R"("lights": [{"type": "constant", "radiance": [1, -1, 1]}])",
        "/lights/0/radiance/1: expected three numbers of 0 or more, got -1"},
