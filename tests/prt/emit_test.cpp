@@ -171,7 +171,7 @@ TEST(Emitted, IsTheSameEveryTime) {
   EXPECT_EQ(emit_cpp(transfer, {"a", {}}).files[1].bytes, emit_cpp(transfer, {"a", {}}).files[1].bytes);
 }
 
-// What a shader captures is at most 15 vec4s, which OpenGL ES 3.0 promises with gl_Position.
+// What a shader captures is at most 15 vec4s, which OpenGL promises beside gl_Position. WebGL captures no arrays.
 TEST(Emitted, MeetsClustersWithTheLightInAShaderOfTheirOwn) {
   const Transfer transfer = in_clusters(with_lobes(kGlossyShadowed, 4, 35), {2, 8});
   const Emitted emitted = emit_glsl(transfer, {"a", {}}, true);
@@ -183,7 +183,9 @@ TEST(Emitted, MeetsClustersWithTheLightInAShaderOfTheirOwn) {
   const auto lit = nlohmann::json::parse(emitted.files[2].bytes)["lit"];
   ASSERT_EQ(lit.size(), 1U);
   EXPECT_EQ(lit[0]["rows"], transfer.clusters.count() * 9);
-  EXPECT_EQ(lit[0]["parts"], 2);  // 75 numbers in vec4s
+  EXPECT_EQ(lit[0]["parts"], 19);  // 75 numbers in vec4s
+  const auto of_arrays = nlohmann::json::parse(emit_glsl(transfer, {"a", {}}, false).files[2].bytes)["lit"];
+  EXPECT_EQ(of_arrays[0]["parts"], 2);
   EXPECT_EQ(emit_glsl(random_transfer(kShadowed, 2, 5), {"a", {}}, true).files.size(), 3U);
 }
 
