@@ -87,7 +87,8 @@ Compared compare_transfers(const Options& options) {
   };
   const VertexErrors errors = vertex_errors(second.mesh, camera, seen(first), seen(second));
   Compared compared{
-      "exit radiance (of glossy surfaces towards the camera), over the root mean square of the reference; vertices weigh "
+      "exit radiance (of glossy surfaces towards the camera), over the root mean square of the reference; vertices "
+      "weigh "
       "by area over the squared distance to the camera",
       errors.error.rms,
       errors.error.largest,
