@@ -11,7 +11,7 @@ namespace sh::prt {
 enum class OnFlaw { kMend, kRefuse };
 
 /// Call once per kind of flaw, with a complete line such as `a.obj: 3 faces have no area (dropped)`; control characters
-/// of file names are printed as \xNN.
+/// of file names are printed as hexadecimal escapes.
 /// kMend: prints `warning: line` on standard error; kRefuse: throws std::runtime_error(line + why).
 inline void report_flaw(OnFlaw on_flaw, const std::string& line) {
   if (on_flaw == OnFlaw::kRefuse) throw std::runtime_error(line + "; refused because of --strict");
