@@ -267,8 +267,8 @@ bool is_quick(const std::vector<std::string>& words) {
 // Whether the words name the file as output and nowhere else. The stage reads a.transfer, a.json reads a.stl.
 bool is_only_output(const std::string& file, const std::vector<std::string>& words) {
   const auto named = std::find(words.begin(), words.end(), file);
-  const auto stage = std::find(words.begin(), words.end(), "stage.json");
-  const bool is_read = file == "a.stl" || (file == "a.transfer" && stage != words.end());
+  const auto is_named = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
+  const bool is_read = (file == "a.stl" && is_named("a.json")) || (file == "a.transfer" && is_named("stage.json"));
   return named != words.end() && *std::prev(named) == "-o" && !is_read && std::count(named, words.end(), file) == 1;
 }
 
