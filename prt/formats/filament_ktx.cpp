@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "prt/formats/binary.hpp"
+#include "prt/binary/bytes.hpp"
 #include "prt/formats/cube_faces.hpp"
 #include "prt/formats/writers.hpp"
 

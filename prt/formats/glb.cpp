@@ -1,23 +1,11 @@
 #include "prt/formats/glb.hpp"
 
-#include <limits>
 #include <stdexcept>
 
-#include "prt/formats/binary.hpp"
+#include "prt/binary/bytes.hpp"
+#include "prt/binary/glb_container.hpp"
 
 namespace sh::prt::formats {
-namespace {
-
-constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJson = 0x4E4F534A, kBinary = 0x004E4942;
-constexpr std::size_t kHeaderBytes = 12, kChunkBytes = 8;
-
-void append_chunk(std::string& file, std::uint32_t type, const std::string& chunk) {
-  append_word(file, static_cast<std::uint32_t>(chunk.size()));
-  append_word(file, type);
-  file += chunk;
-}
-
-}  // namespace
 
 Glb::Glb() : json({{"asset", {{"version", "2.0"}, {"generator", "prt export"}}}}) {}
 
@@ -45,34 +33,23 @@ std::size_t Glb::add_floats(const std::vector<float>& values, int width) {
 std::string Glb::bytes() const {
   nlohmann::ordered_json document = json;
   if (!buffer_.empty()) document["buffers"] = {{{"byteLength", buffer_.size()}}};
-  std::string text = document.dump();
-  pad(text, ' ');
   std::string binary = buffer_;
   pad(binary, '\0');
-  const std::size_t size =
-      kHeaderBytes + kChunkBytes + text.size() + (binary.empty() ? 0 : kChunkBytes + binary.size());
-  if (size > std::numeric_limits<std::uint32_t>::max()) {
-    throw std::runtime_error("a GLB file has at most 4 GB; expected fewer vertices or a lower degree");
-  }
-  std::string file;
-  file.reserve(size);
-  for (const std::uint32_t word : {kMagic, kVersion, static_cast<std::uint32_t>(size)}) append_word(file, word);
-  append_chunk(file, kJson, text);
-  if (!binary.empty()) append_chunk(file, kBinary, binary);
-  return file;
+  return glb_front(document.dump(), binary.size()) + binary;
 }
 
 std::optional<std::string_view> json_of_glb(std::string_view bytes) {
-  if (bytes.size() < 4 || word_at(bytes, 0) != kMagic) return std::nullopt;
-  if (bytes.size() < kHeaderBytes + kChunkBytes) throw std::runtime_error("the file ends inside of its GLB header");
-  if (word_at(bytes, 4) != kVersion) throw std::runtime_error("expected version 2 of GLB");
+  if (bytes.size() < 4 || word_at(bytes, 0) != kGlbMagic) return std::nullopt;
+  if (bytes.size() < kGlbHeaderBytes + kGlbChunkBytes)
+    throw std::runtime_error("the file ends inside of its GLB header");
+  if (word_at(bytes, 4) != kGlbVersion) throw std::runtime_error("expected version 2 of GLB");
   if (word_at(bytes, 8) != bytes.size())
     throw std::runtime_error("the file has not the length that its GLB header says");
-  const std::size_t length = word_at(bytes, kHeaderBytes);
-  if (word_at(bytes, kHeaderBytes + 4) != kJson || length > bytes.size() - kHeaderBytes - kChunkBytes) {
+  const std::size_t length = word_at(bytes, kGlbHeaderBytes);
+  if (word_at(bytes, kGlbHeaderBytes + 4) != kGlbJson || length > bytes.size() - kGlbHeaderBytes - kGlbChunkBytes) {
     throw std::runtime_error("expected a first chunk of JSON");
   }
-  return bytes.substr(kHeaderBytes + kChunkBytes, length);
+  return bytes.substr(kGlbHeaderBytes + kGlbChunkBytes, length);
 }
 
 }  // namespace sh::prt::formats

@@ -4,6 +4,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "prt/binary/glb_container.hpp"
 
 namespace sh::prt::formats {
 
@@ -17,17 +20,12 @@ class Glb {
   std::size_t add_view(std::string_view bytes, int target = 0);
   /// Adds an accessor of the float type SCALAR .. VEC4 over values (count, width), and returns its number.
   std::size_t add_floats(const std::vector<float>& values, int width);
-  /// The bytes of the file. Throws std::runtime_error from 4 GB on.
+  /// The bytes of the file. Throws std::invalid_argument from 4 GB on.
   [[nodiscard]] std::string bytes() const;
 
  private:
   std::string buffer_;
 };
-
-inline constexpr int kVertices = 34962;
-inline constexpr int kIndices = 34963;
-inline constexpr int kFloat = 5126;
-inline constexpr int kUnsignedInt = 5125;
 
 /// The JSON text of a GLB file; nothing for another file. Throws std::runtime_error for a damaged one.
 std::optional<std::string_view> json_of_glb(std::string_view bytes);

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "numeric/identify/coefficient_map.hpp"
-#include "prt/formats/binary.hpp"
+#include "prt/binary/bytes.hpp"
 #include "prt/formats/glb.hpp"
 #include "prt/formats/writers.hpp"
 

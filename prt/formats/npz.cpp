@@ -6,7 +6,7 @@
 #include <list>
 #include <stdexcept>
 
-#include "prt/formats/binary.hpp"
+#include "prt/binary/bytes.hpp"
 #include "prt/formats/writers.hpp"
 #include "prt/transfer/transfer_file.hpp"
 

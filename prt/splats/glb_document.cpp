@@ -11,6 +11,7 @@
 
 #include "numeric/output/parse_json.hpp"
 #include "numeric/output/printable.hpp"
+#include "prt/binary/glb_container.hpp"
 #include "prt/scene/json_reader.hpp"
 #include "prt/splats/glb_splats.hpp"
 #include "prt/splats/input_file.hpp"
@@ -51,14 +52,12 @@ Chunks read_chunks(const InputFile& file) {
   std::array<std::uint32_t, 5> head{};  // magic, version, size; size and type of the first chunk
   if (start.size() < 20 || !start.starts_with("glTF")) file.fail("not a GLB file: expected `glTF` in its first bytes");
   std::memcpy(head.data(), start.data(), start.size());
-  constexpr std::uint32_t kJson = 0x4E4F534A;
-  constexpr std::uint32_t kBinary = 0x004E4942;
-  if (head[1] != 2) file.fail(fmt::format("GLB of version {}: expected version 2", head[1]));
+  if (head[1] != kGlbVersion) file.fail(fmt::format("GLB of version {}: expected version 2", head[1]));
   if (head[2] > file.size()) file.fail(fmt::format("truncated: expected {} bytes, got {}", head[2], file.size()));
   if (head[2] < file.size()) {
     file.fail(fmt::format("the header announces {} bytes, the file has {}", head[2], file.size()));
   }
-  if (head[4] != kJson || head[3] > kLongestJson || 20 + std::uint64_t{head[3]} > file.size()) {
+  if (head[4] != kGlbJson || head[3] > kLongestJson || 20 + std::uint64_t{head[3]} > file.size()) {
     file.fail("GLB: expected a JSON chunk first, within the file");
   }
   Chunks chunks;
@@ -70,7 +69,7 @@ Chunks read_chunks(const InputFile& file) {
   file.read(next, second.data(), sizeof second);
   chunks.binary = next + sizeof second;
   chunks.binary_size = second[0];
-  if (second[1] != kBinary || chunks.binary + chunks.binary_size > file.size()) {
+  if (second[1] != kGlbBinary || chunks.binary + chunks.binary_size > file.size()) {
     file.fail("GLB: expected a binary chunk after the JSON chunk, within the file");
   }
   return chunks;

@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "numeric/output/atomic_file.hpp"
 #include "numeric/output/srgb.hpp"
 #include "numeric/output/version.hpp"
+#include "prt/binary/glb_container.hpp"
 #include "prt/splats/glb_attributes.hpp"
 #include "prt/splats/glb_splats.hpp"
 #include "prt/splats/splat_convention.hpp"
@@ -23,11 +22,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-static_assert(std::endian::native == std::endian::little, "numbers are written as they are in memory");
-
-constexpr int kFloat = 5126;
-constexpr int kUnsignedByte = 5121;
-constexpr int kArrayBuffer = 34962;
 constexpr std::size_t kColorSize = 4;
 
 /// Bytes of a splat: all attributes, then the color of 8 bits.
@@ -62,41 +56,25 @@ Json document(const SplatOutput& output, const std::vector<GlbAttribute>& attrib
   add("COLOR_0", kUnsignedByte, "VEC4")["normalized"] = true;
   const Json extension = {{"kernel", "ellipse"}, {"colorSpace", "srgb_rec709_display"}};
   const Json primitive = {{"attributes", indices}, {"mode", 0}, {"extensions", {{kSplatExtension, extension}}}};
-  return {{"asset", {{"version", "2.0"}, {"generator", output::version_of("shforge prt")}}},
-          {"extensionsUsed", {kSplatExtension}},
-          {"scene", 0},
-          {"scenes", {{{"nodes", {0}}}}},
-          {"nodes", {{{"mesh", 0}}}},
-          {"meshes", {{{"primitives", {primitive}}}}},
-          {"accessors", accessors},
-          {"bufferViews",
-           {{{"buffer", 0}, {"byteLength", count * stride}, {"byteStride", stride}, {"target", kArrayBuffer}}}},
-          {"buffers", {{{"byteLength", count * stride}}}}};
-}
-
-template <class T>
-void append(std::string& bytes, const T& value) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  return {
+      {"asset", {{"version", "2.0"}, {"generator", output::version_of("shforge prt")}}},
+      {"extensionsUsed", {kSplatExtension}},
+      {"scene", 0},
+      {"scenes", {{{"nodes", {0}}}}},
+      {"nodes", {{{"mesh", 0}}}},
+      {"meshes", {{{"primitives", {primitive}}}}},
+      {"accessors", accessors},
+      {"bufferViews", {{{"buffer", 0}, {"byteLength", count * stride}, {"byteStride", stride}, {"target", kVertices}}}},
+      {"buffers", {{{"byteLength", count * stride}}}}};
 }
 
 /// Header, JSON chunk, and the head of the binary chunk.
 std::string front(const SplatOutput& output, const std::vector<GlbAttribute>& attributes) {
-  std::string json = document(output, attributes).dump();
-  json.append((4 - json.size() % 4) % 4, ' ');
-  const std::uint64_t body = std::uint64_t{output.summary.count} * stride_of(attributes);
-  const std::uint64_t size = 12 + 8 + json.size() + 8 + body;
-  if (size > std::numeric_limits<std::uint32_t>::max()) {
-    throw std::invalid_argument(
-        fmt::format("{}: {} splats take {} bytes, a GLB file holds 4 GB; expected fewer splats or a lower --degree",
-                    output.file, output.summary.count, size));
+  try {
+    return glb_front(document(output, attributes).dump(), std::uint64_t{output.summary.count} * stride_of(attributes));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", output.file, error.what()));
   }
-  std::string bytes = "glTF";
-  append(bytes, std::uint32_t{2});
-  append(bytes, static_cast<std::uint32_t>(size));
-  append(bytes, static_cast<std::uint32_t>(json.size()));
-  bytes += "JSON" + json;
-  append(bytes, static_cast<std::uint32_t>(body));
-  return bytes + std::string("BIN\0", 4);
 }
 
 class GlbWriter : public SplatWriter {

@@ -9,8 +9,9 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "prt/binary/gzip.hpp"
 #include "prt/chunks.hpp"
-#include "prt/splats/gzip.hpp"
+#include "prt/splats/gzip_reader.hpp"
 #include "prt/splats/input_file.hpp"
 #include "prt/splats/splats.hpp"
 

@@ -1,7 +1,6 @@
 #include "prt/view/page.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <boost/archive/iterators/base64_from_binary.hpp>
@@ -11,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "prt/binary/gzip.hpp"
 #include "prt/light/light_shapes.hpp"
 #include "prt/light/window.hpp"
 #include "prt/runtime/file_shaders.hpp"
@@ -70,24 +70,10 @@ std::string base64(std::string_view bytes) {
   return out;
 }
 
-/// In the format of gzip, without a date.
-std::string compressed(const std::string& bytes) {
-  constexpr int kGzip = 16 + MAX_WBITS;
-  z_stream stream{};
-  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzip, MAX_MEM_LEVEL, Z_DEFAULT_STRATEGY) != Z_OK) {
-    throw std::runtime_error("zlib: cannot compress");
-  }
-  std::string out(deflateBound(&stream, bytes.size()), '\0');
-  std::string in = bytes;  // zlib wants it mutable
-  stream.next_in = reinterpret_cast<Bytef*>(in.data());
-  stream.avail_in = static_cast<uInt>(in.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  const int done = deflate(&stream, Z_FINISH);
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  if (done != Z_STREAM_END) throw std::runtime_error("zlib: cannot compress");
-  return out;
+std::string compressed(std::string_view bytes) {
+  std::string all;
+  for (const std::string& piece : gzip({bytes})) all += piece;
+  return all;
 }
 
 /// JSON that may stand in a script of HTML.

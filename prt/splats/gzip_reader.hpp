@@ -1,18 +1,12 @@
-// gzip streams [RFC 1952] by zlib, compressed on all threads.
+// gzip streams [RFC 1952] by zlib, inflated piece by piece.
 #pragma once
 #include <cstddef>
 #include <memory>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace sh::prt {
 
 class InputFile;
-
-/// One gzip member with the data of all parts, one after another: every reader takes it as one stream. The same bytes
-/// for any number of threads.
-std::vector<std::string> gzip(const std::vector<std::string_view>& parts);
 
 /// Inflates a file from its start. Throws std::runtime_error with one line for what is no gzip stream, is truncated,
 /// damaged (CRC-32, once the end is read) or followed by further bytes.

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace sh::prt::formats {
+namespace sh::prt {
 
 static_assert(std::endian::native == std::endian::little, "files are written as numbers are in memory");
 
@@ -28,4 +28,4 @@ inline std::uint32_t word_at(std::string_view bytes, std::size_t offset) {
 /// Fills up to a multiple of four.
 inline void pad(std::string& bytes, char with) { bytes.append((4 - bytes.size() % 4) % 4, with); }
 
-}  // namespace sh::prt::formats
+}  // namespace sh::prt
