@@ -151,9 +151,10 @@ TEST(SharpLayer, IsShownByTheSurface) {
   EXPECT_LT((sharp - plain - Eigen::Vector3f(1.0F, 2.0F, 2.0F)).norm(), 1e-5F);
 }
 
-TEST(SharpLayer, OfAVertexHasTheColorOfItsLobe) {
+TEST(SharpLayer, OfAVertexHasTheColorAndTheExponentOfItsLobe) {
   Mesh mesh = ball(30.0F);
   mesh.specular[3] = {0.1F, 0.2F, 0.4F};
+  mesh.exponent[3] = 60.0F;
   mesh.specular[4].setZero();
   const SkyRadiance sky = [](const Eigen::Vector3d& s) {
     return Eigen::Vector3f::Constant(s.z() > 0.9 ? 1.0F : 0.0F).eval();
@@ -161,7 +162,8 @@ TEST(SharpLayer, OfAVertexHasTheColorOfItsLobe) {
   const SharpLayer layer(sky, 2, mesh);
   const Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   EXPECT_GT(layer.at(30.0F, up).x(), 0.01F);
-  EXPECT_EQ(layer.at(std::size_t{3}, up), mesh.specular[3].cwiseProduct(layer.at(30.0F, up)));
+  EXPECT_EQ(layer.at(std::size_t{3}, up), mesh.specular[3].cwiseProduct(layer.at(60.0F, up)));
+  EXPECT_GT(layer.at(60.0F, up).x(), layer.at(30.0F, up).x() + 0.01F);
   EXPECT_EQ(layer.at(std::size_t{4}, up), Eigen::Vector3f::Zero());
   EXPECT_TRUE(layer.fits().empty());
 }
