@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "codegen/bound/bilinear.hpp"
+#include "codegen/bound/every_number.hpp"
 #include "codegen/bound/size.hpp"
 #include "codegen/bound/straight.hpp"
 
@@ -184,6 +185,7 @@ Bound bound(const Kernel& kernel, const Domain& domain, const Format& format, co
     const Kernel nodes = straight(kernel);
     const Region region = region_of(nodes, domain, format);
     if (is_bilinear(nodes, region)) return of_products(nodes, domain, region, format, effort);
+    if (auto of_points = bound_at_every_number(nodes, domain, region, format)) return *of_points;
     return Search(nodes, domain, region, format, effort).run();
   } catch (const std::domain_error& reason) {
     Bound none;

@@ -6,7 +6,8 @@
 //
 // Boxes cover the domain. RoundingAnalysis bounds the error on a box; the box with the largest bound is split until the
 // effort is spent or the bound is near that of a point. The largest bound of all boxes that are left holds everywhere.
-// Kernels that multiply coefficients have one box (bilinear.hpp).
+// Kernels that multiply coefficients have one box (bilinear.hpp). Where the domain has few numbers, each is a box of its
+// own (every_number.hpp).
 #pragma once
 
 #include <string>
@@ -19,10 +20,11 @@ namespace sh::codegen::bound {
 
 /// A proved bound, or the reason why there is none.
 struct Bound {
-  double eps = 0;           ///< in epsilon x the family's size
-  double absolute = 0;      ///< for arrays of length 1, or scalars and numbers up to 1, as the size asks; 0: not stated
-  int boxes = 0;            ///< evaluated
-  std::string domain = {};  ///< the inputs for which it holds
+  double eps = 0;       ///< in epsilon x the family's size
+  double absolute = 0;  ///< for arrays of length 1, or scalars and numbers up to 1, as the size asks; 0: not stated
+  int boxes = 0;        ///< evaluated
+  bool every_number = false;             ///< the boxes are all numbers of the format in the domain
+  std::string domain = {};               ///< the inputs for which it holds
   std::vector<double> worst = {};        ///< flattened inputs where the bound is largest, not rounded
   std::vector<Interval> worst_box = {};  ///< the box of coordinates where the bound is largest
   std::string missing = {};              ///< why no bound is proved; empty: one is proved

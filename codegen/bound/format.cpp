@@ -61,6 +61,7 @@ RoundedConstant rounded(const ExactReal& constant, const Format& format) {
   cln::cl_I count = cln::round1(exact / unit);
   const cln::cl_RA nearest = count * unit;
   result.value = hull(enclosure(exact), enclosure(nearest));
+  result.nearest = cln::double_approx(nearest);
   result.error = enclosure(nearest - exact);
   // An irrational constant is known to kDigits only.
   if (!rational) result.error = widened(result.error, result.value.magnitude() * 1e-50);

@@ -31,6 +31,7 @@ const Format& find_format(const std::string& name);
 struct RoundedConstant {
   Interval value;             ///< holds the exact and the rounded number
   Interval error;             ///< holds rounded - exact
+  double nearest = 0;         ///< the rounded number
   int grid = 0;               ///< the rounded number is a multiple of 2^grid
   bool power_of_two = false;  ///< the rounded number is +-2^k
 };

@@ -47,7 +47,7 @@ void print_report(const Kernel& kernel, const Family& family, const bound::Bound
   const Error& error = found.measured.rounding;
   if (proved.is_proved()) {
     std::cout << "rounding at most  " << both_units(proved.absolute, proved.eps) << ", proved on " << proved.boxes
-              << " boxes, with and without contraction\n";
+              << (proved.every_number ? " numbers, all of the domain" : " boxes") << ", with and without contraction\n";
   } else {
     std::cout << "rounding          no bound is proved: " << proved.missing << '\n';
   }

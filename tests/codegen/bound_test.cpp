@@ -99,6 +99,25 @@ TEST(Bound, OfLargeKernelsInHalfPrecisionIsNotFarAboveTheLargestErrorSeen) {
   }
 }
 
+// Windows have one number as parameter: each of the 30,721 numbers of binary16 from -1 to 1 is looked at.
+TEST(Bound, OfWindowsInHalfPrecisionIsThatOfTheWorstOfAllNumbers) {
+  for (const char* family : {"window_hann", "window_gaussian"}) {
+    for (const int degree : {1, 6}) {
+      const Kernel kernel = written(family, degree);
+      SCOPED_TRACE(kernel.name);
+      const Bound proved = bound_of(kernel, "half");
+      ASSERT_EQ(proved.missing, "");
+      EXPECT_TRUE(proved.every_number);
+      EXPECT_EQ(proved.worst_box[0].width(), 0);
+      const double seen = seen_eps<Half>(kernel, proved);
+      EXPECT_LE(seen, proved.eps);
+      EXPECT_LE(proved.eps, 3 * seen);
+    }
+    EXPECT_FALSE(bound_of(written(family, 6), "float").every_number);
+  }
+  EXPECT_EQ(bound_of(written("window_hann", 6), "half").boxes, 2 * 15360 + 1);
+}
+
 TEST(Bound, OfBasisOfDegree4IsAtMostFourTimesTheLargestErrorSeen) {
   for (const char* scalar : {"float", "double"}) {
     const CommandResult result = shgen(std::string("bound basis --degree 4 --scalar ") + scalar);
