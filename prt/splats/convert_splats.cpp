@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "numeric/output/atomic_file.hpp"
 #include "numeric/output/progress.hpp"
@@ -29,21 +31,25 @@ void pipe_blocks(const SplatReader& reader, const std::string& what, const std::
     return next++;
   };
   tbb::enumerable_thread_specific<SplatBlock> blocks_in_use;  // so that each thread allocates once
+  // At most so many blocks are on their way. They end in order, so a block's place is free when the next one takes it.
+  const auto tokens = static_cast<std::size_t>(2 * thread_count(0));
+  std::vector<std::optional<Result>> results(tokens);
   const auto work = [&](std::size_t block_number) {
     SplatBlock& block = blocks_in_use.local();
     const std::size_t first = block_number * kSplatsPerBlock;
     reader.read(first, std::min(kSplatsPerBlock, reader.count() - first), block);
-    return std::make_shared<Result>(make(block));
+    results[block_number % tokens].emplace(make(block));
+    return block_number;
   };
-  const auto finish = [&](const std::shared_ptr<Result>& result) {
+  const auto finish = [&](std::size_t block_number) {
+    std::optional<Result>& result = results[block_number % tokens];
     take(*result);
+    result.reset();
     progress.advance();
   };
-  const auto tokens = static_cast<std::size_t>(2 * thread_count(0));
-  tbb::parallel_pipeline(
-      tokens, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, number) &
-                  tbb::make_filter<std::size_t, std::shared_ptr<Result>>(tbb::filter_mode::parallel, work) &
-                  tbb::make_filter<std::shared_ptr<Result>, void>(tbb::filter_mode::serial_in_order, finish));
+  tbb::parallel_pipeline(tokens, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, number) &
+                                     tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, work) &
+                                     tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, finish));
 }
 
 /// What becomes of every block.
