@@ -78,14 +78,16 @@ void SubjectOptions::add_to(CLI::App& command) {
   command.add_flag("--white", shading.white, "use the light's luminance in every channel");
   command
       .add_option("--recolor,--recolour", shading.recolor,
-                  "R G B: linear albedo instead of the transfer's (not with bounces)")
+                  "R,G,B: linear albedo instead of the transfer's (not with bounces)")
       ->default_str("")
+      ->delimiter(',')
       ->expected(3);
   command
       .add_option("--lobe", shading.lobe,
-                  "R G B E: a lobe of this reflectance and exponent instead of lobes and BRDFs (glossy kinds, not with "
+                  "R,G,B,E: a lobe of this reflectance and exponent instead of lobes and BRDFs (glossy kinds, not with "
                   "bounces)")
       ->default_str("")
+      ->delimiter(',')
       ->expected(4);
   command
       .add_option("--local", local,

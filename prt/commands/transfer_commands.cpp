@@ -147,8 +147,9 @@ void add_relight_command(CLI::App& tool) {
   options->subject.add_to(command);
   command.add_option("-o,--output", options->output, "PLY file to write; frames become out_000.ply, ...")->required();
   command
-      .add_option("--eye", options->eye, "X Y Z: the point from which glossy surfaces are seen; default: the camera")
+      .add_option("--eye", options->eye, "X,Y,Z: the point from which glossy surfaces are seen; default: the camera")
       ->default_str("")
+      ->delimiter(',')
       ->expected(3);
   command.add_option("--frames", options->frames, "number of meshes in the time in which a stage moves");
   run_with_threads(command, options, run_relight);
@@ -160,7 +161,7 @@ void add_fix_view_command(CLI::App& tool) {
       *tool.add_subcommand("fix-view", "write glossy transfer seen from one point: one dot product a frame");
   command.add_option("FILE", options->file, "transfer file of a glossy kind")->required();
   command.add_option("-o,--output", options->output, "transfer file to write, of the kind with bounces")->required();
-  command.add_option("--eye", options->eye, "X Y Z: the point")->required()->expected(3);
+  command.add_option("--eye", options->eye, "X,Y,Z: the point")->required()->delimiter(',')->expected(3);
   run_with_threads(command, options, run_fix_view);
 }
 

@@ -265,7 +265,7 @@ TEST_F(GlossyTool, WritesVectorsOfDiffuseSurfacesFromTheSameRun) {
 TEST_F(GlossyTool, FixesTheView) {
   const std::string file = folder->file("shadowed");
   const std::string seen = folder->file("seen");
-  succeeded({"fix-view", file, "--eye", "3", "-2", "1", "-o", seen});
+  succeeded({"fix-view", file, "--eye", "3,-2,1", "-o", seen});
   const Finished whole =
       succeeded({"relight", file, "--eye", "3", "-2", "1", "--light", "overcast", "-o", folder->file("a.ply")});
   const Finished rows = succeeded({"relight", seen, "--light", "overcast", "-o", folder->file("b.ply")});
