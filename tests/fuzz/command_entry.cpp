@@ -161,7 +161,42 @@ constexpr std::array kWords = {"bake",
                                "--compress",
                                "--sharp",
                                "--compress-auto",
-                               "--fit-lobes"};
+                               "--fit-lobes",
+                               "view",
+                               "export",
+                               "import",
+                               "splats",
+                               "rotate",
+                               "convert",
+                               "s.ply",
+                               "x.glb",
+                               "x.spz",
+                               "x.html",
+                               "x.js",
+                               "x.json",
+                               "--to",
+                               "threejs",
+                               "filament-ktx",
+                               "gltf",
+                               "usd",
+                               "npz",
+                               "glb",
+                               "--axis",
+                               "0,0,1",
+                               "--quaternion",
+                               "1,0,0,0",
+                               "--scale",
+                               "--translate",
+                               "--crop",
+                               "-1,-1,-1,1,1,1",
+                               "--axes-in",
+                               "RUB",
+                               "--spz-version",
+                               "--sh-bits",
+                               "8,8",
+                               "--drop-invalid",
+                               "--vectors",
+                               "--lobe"};
 static_assert(kWords.size() <= 256);
 
 // The triangles with these corners; assimp reads it without the megabytes that other formats take.
@@ -192,6 +227,7 @@ class Workplace {
     write_transfer("b.transfer", prt::test::baked(prt::test::primitive_mesh("box"), &prt::kInterreflected, 16, 1));
     write_transfer("g.transfer", prt::test::baked(prt::test::primitive_mesh("box"), &prt::kGlossyShadowed, 16, 1));
     std::filesystem::copy_file("a.transfer", "a.png");
+    std::filesystem::copy_file(SHFORGE_SOURCE_DIR "/tests/data/fuzz/splats/little.ply", "s.ply");
     for (const auto& entry : std::filesystem::directory_iterator(".")) {
       const std::string name = entry.path().string();
       files_[name] = {read_all(name), state_of(name)};
@@ -244,7 +280,8 @@ bool is_small(const std::string& word) {
 // Whether a command line that says more than "no such command" begins with this word.
 bool may_begin(std::string_view word) {
   const auto* const end = kWords.begin() + kFirstWords;
-  return std::find(kWords.begin(), end, word) != end || word == "fix-view" || word == "grid";
+  constexpr std::array<std::string_view, 6> kLaterCommands{"fix-view", "grid", "view", "export", "import", "splats"};
+  return std::find(kWords.begin(), end, word) != end || std::ranges::find(kLaterCommands, word) != kLaterCommands.end();
 }
 
 // A picture takes 16 rays for each pixel, of half a million unless its size is given. A mesh file alone gets a ground of
@@ -269,7 +306,8 @@ bool is_only_output(const std::string& file, const std::vector<std::string>& wor
   const auto named = std::find(words.begin(), words.end(), file);
   const auto is_named = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
   const bool is_read = (file == "a.stl" && is_named("a.json")) || (file == "a.transfer" && is_named("stage.json"));
-  return named != words.end() && *std::prev(named) == "-o" && !is_read && std::count(named, words.end(), file) == 1;
+  return named != words.end() && (*std::prev(named) == "-o" || *std::prev(named) == "--vectors") && !is_read &&
+         std::count(named, words.end(), file) == 1;
 }
 
 }  // namespace
