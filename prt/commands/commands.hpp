@@ -34,6 +34,7 @@ void add_info_command(CLI::App& tool);
 void add_project_command(CLI::App& tool);
 void add_plan_command(CLI::App& tool);
 void add_reconstruct_command(CLI::App& tool);
+void add_light_at_command(CLI::App& tool);
 void add_study_command(CLI::App& tool);
 void add_compare_command(CLI::App& tool);
 void add_grid_command(CLI::App& tool);

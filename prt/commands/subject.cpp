@@ -55,6 +55,21 @@ ChosenLight without_windows_if_sharp(ChosenLight chosen, const SubjectOptions& o
   return chosen;
 }
 
+/// The stage, but for the objects that are left out.
+Stage stage_without(const SubjectOptions& options) {
+  Stage stage = load_stage(options.file, options.transfers);
+  for (const std::string& name : options.without) {
+    const auto removed = std::erase_if(stage.objects, [&](const StageObject& object) { return object.name == name; });
+    if (removed > 0) continue;
+    throw std::runtime_error(fmt::format(
+        "{}: --without {}: expected an object of the stage, by the path of its transfer", options.file, name));
+  }
+  if (stage.objects.empty()) {
+    throw std::runtime_error(fmt::format("{}: --without: expected to leave an object", options.file));
+  }
+  return stage;
+}
+
 /// The points of `--local`; throws if the option does not fit the transfer.
 LightSamples local_samples(const SubjectOptions& options, const Transfer& transfer, bool is_stage) {
   const auto refuse = [&](const char* why) {
@@ -97,12 +112,20 @@ void SubjectOptions::add_to(CLI::App& command) {
 }
 
 Subject::Subject(const SubjectOptions& options)
+    : Subject(options, has_extension(options.file, ".json"),
+              has_extension(options.file, ".json") ? stage_without(options)
+                                                   : stage_of(options.shading.with_lobe(read_transfer(options.file)))) {
+}
+
+Subject::Subject(const SubjectOptions& options, Transfer transfer)
+    : Subject(options, false, stage_of(options.shading.with_lobe(std::move(transfer)))) {}
+
+Subject::Subject(const SubjectOptions& options, bool is_stage, Stage stage)
     : file_(options.file),
-      is_stage_(has_extension(options.file, ".json")),
+      is_stage_(is_stage),
       on_flaw_(on_flaw(options.light.strict)),
       shading_(options.shading),
-      stage_(is_stage_ ? load_stage(options.file, options.transfers)
-                       : stage_of(options.shading.with_lobe(read_transfer(options.file)))),
+      stage_(std::move(stage)),
       chosen_(without_windows_if_sharp(choose_light(options.light, stage_.lights), options)),
       lighting_(
           stage_, [&](int degree) { return project_windowed(chosen_.lights, degree, options.light.window); },

@@ -27,6 +27,7 @@ struct SubjectOptions {
   Shading shading;
   bool sharp = false;  // lobes show more of the light than the transfer holds
   std::string local;   // empty: light is sampled once, at each light's `from`; else a number of points, or octahedron
+  std::vector<std::string> without;  // names of a stage's objects that are not there
 
   void add_to(CLI::App& command);
 };
@@ -37,6 +38,8 @@ class Subject {
   /// read or does not fit. Prints a message if a time limit made the transfer coarser than requested, or if `--local`
   /// has no effect.
   explicit Subject(const SubjectOptions& options);
+  /// The same of transfer that is in memory; the options' file is its name for messages.
+  Subject(const SubjectOptions& options, Transfer transfer);
   Subject(const Subject&) = delete;
   Subject& operator=(const Subject&) = delete;
 
@@ -59,6 +62,7 @@ class Subject {
                                 const Eigen::Matrix3d& light_turn) const;
 
  private:
+  Subject(const SubjectOptions& options, bool is_stage, Stage stage);
   [[nodiscard]] const Transfer& only_transfer() const { return *stage_.objects.front().transfer; }
   [[nodiscard]] std::vector<Eigen::Vector3f> local_radiance(const Eigen::Matrix3d& light_turn) const;
   [[nodiscard]] TransferredRadiance reaching(const Eigen::Matrix3d& light_turn) const;

@@ -38,8 +38,8 @@ nlohmann::ordered_json coefficients_json(const LightCoefficients& light) {
 }
 
 std::vector<std::string_view> coefficients_keys() {
-  std::vector<std::string_view> keys = {"degree", "coefficients",    "file",    "format", "width",
-                                        "height", "negative_pixels", "mapping", "suns",   "windows"};
+  std::vector<std::string_view> keys = {"degree",          "coefficients", "file", "format",  "width",       "height",
+                                        "negative_pixels", "mapping",      "suns", "windows", "sampled_from"};
   for (const auto& [key, meaning] : kMeanings) keys.push_back(key);
   return keys;
 }

@@ -13,7 +13,8 @@ namespace sh::prt {
 /// {"type": "coefficients", "degree", "convention", "axes", "unit", "color_space", "layout", "coefficients"}.
 nlohmann::ordered_json coefficients_json(const LightCoefficients& light);
 
-/// The keys that read_coefficients takes: those above, and what `prt project` says about its light, which is left aside.
+/// The keys that read_coefficients takes: those above, and what `prt project` and `prt light-at` say about their light, which is
+/// left aside.
 std::vector<std::string_view> coefficients_keys();
 
 /// Throws std::runtime_error, `file: path: expected ...`, for another convention or unit than the project's, a degree

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "tests/prt/temporary_folder.hpp"
 #include "tests/prt/tool.hpp"
@@ -50,6 +51,39 @@ TEST_F(StageTool, OneAnimatedFileHoldsTheSequence) {
   EXPECT_EQ(frames, 4U);
   succeeded(render({"--frames", "4", "--fps", "8", "-o", folder->file("t.webp"), "--threads", "1"}));
   EXPECT_TRUE(read_all(folder->file("t.webp")) == bytes);
+}
+
+TEST_F(StageTool, TheLightAtAPointIsALightForTheObjectThatIsLeftOut) {
+  const auto light_at = [](const Arguments& more) {
+    return printed(
+        joined({"light-at", scenes + "stage.json", "--transfers", folder->file(""), "--at", "0,0,0.6"}, more));
+  };
+  const nlohmann::json without = light_at({"--without", "ball.transfer", "--degree", "3"});
+  EXPECT_EQ(without["degree"], 3);
+  EXPECT_EQ(without["coefficients"][2].size(), 16U);
+  EXPECT_EQ(without["sampled_from"]["point"], nlohmann::json({0.0, 0.0, 0.6}));
+  EXPECT_NE(without["coefficients"], light_at({"--degree", "3"})["coefficients"]);
+  EXPECT_NE(without["coefficients"],
+            light_at({"--degree", "3", "--without", "ball.transfer", "--time", "0.5"})["coefficients"]);
+  write_all(folder->file("light.json"), without.dump());
+  succeeded(
+      {"relight", folder->file("ball.transfer"), "--light", folder->file("light.json"), "-o", folder->file("l.ply")});
+  const nlohmann::json errors = light_at({"--errors"})["sampled_from"]["errors"];
+  ASSERT_EQ(errors.size(), 4U);
+  EXPECT_GT(errors[0]["error"], errors[2]["error"]);
+}
+
+TEST_F(StageTool, TheLightAtAPointIsRefusedWhereItHasNoMeaning) {
+  const Arguments stage{"light-at", scenes + "stage.json", "--transfers", folder->file("")};
+  expect_refused(stage, "--at");
+  expect_refused(joined(stage, {"--at", "0,0"}), "--at");
+  expect_refused(joined(stage, {"--at", "0,nan,0"}), "nan");
+  expect_refused(joined(stage, {"--at", "0,0,1", "--degree", "11"}), "degree");
+  expect_refused(joined(stage, {"--at", "0,0,1", "--time", "2"}), "--time 2");
+  expect_refused(joined(stage, {"--at", "0,0,1", "--face", "0"}), "pixels along a face 0");
+  expect_refused(joined(stage, {"--at", "0,0,1", "--without", "nobody"}), "--without nobody");
+  expect_refused({"light-at", "demo", "--at", "0,0,1", "--without", "nobody"}, "expected a stage");
+  expect_refused({"light-at", folder->file("none.json"), "--at", "0,0,1"}, "none.json");
 }
 
 TEST_F(StageTool, RelightWritesTheMergedMeshOfEachFrame) {
