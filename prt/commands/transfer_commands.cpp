@@ -62,30 +62,36 @@ void run_relight(const RelightCommand& options) {
 
 /// Prints the header of the file, and values from its body.
 void run_info(const std::string& file) {
-  const Transfer transfer = read_transfer(file);
+  const Transfer transfer = read_transfer(file, file_kinds());
   Json json = Json::parse(transfer_header(transfer));
-  const Eigen::AlignedBox3f box = bounding_box(transfer.mesh.positions);
+  const std::size_t receivers = transfer.receivers();
   double mean = 0.0;
   std::vector<float> room;
-  for (std::size_t v = 0; transfer.shape.length() > 0 && v < transfer.mesh.positions.size(); ++v) {
+  for (std::size_t v = 0; transfer.shape.length() > 0 && v < receivers; ++v) {
     const float* row = transfer.row(v, room);
     for (std::size_t c = 0; c < transfer.shape.channels; ++c) {
       mean += static_cast<double>(row[c * transfer.shape.count()]);
     }
   }
-  mean /= std::max<double>(1.0, static_cast<double>(transfer.mesh.positions.size() * transfer.shape.channels));
+  mean /= std::max<double>(1.0, static_cast<double>(receivers * transfer.shape.channels));
   json["file"] = std::filesystem::path(file).filename().string();
   json["bytes"] = std::filesystem::file_size(file);
-  json["bounding_box"] = {json_of(transfer.mesh.frame.world(box.min())), json_of(transfer.mesh.frame.world(box.max()))};
+  if (!transfer.grid) {
+    const Eigen::AlignedBox3f box = bounding_box(transfer.mesh.positions);
+    json["bounding_box"] = {json_of(transfer.mesh.frame.world(box.min())),
+                            json_of(transfer.mesh.frame.world(box.max()))};
+  } else {
+    json["points"] = receivers;
+    json["spacing"] = json_of(transfer.grid->spacing());
+  }
   const bool has_matrices = transfer.kind->stores_matrices();
   if (transfer.kind->stores_visibility()) json["keeps"] = to_json(kept_by(transfer), *transfer.kind);
-  const std::size_t vertices = transfer.mesh.positions.size();
   const std::size_t bytes =
       transfer.shape.receiver_bytes() + (has_matrices ? transfer.indirect_shape.receiver_bytes() : 0);
   const std::size_t all =
-      transfer.shape.stored_bytes(vertices) + (has_matrices ? transfer.indirect_shape.stored_bytes(vertices) : 0);
-  json["bytes_a_vertex"] = bytes;
-  if (all > bytes * vertices) json["bytes_of_clusters"] = all - bytes * vertices;  // shared by all vertices
+      transfer.shape.stored_bytes(receivers) + (has_matrices ? transfer.indirect_shape.stored_bytes(receivers) : 0);
+  json[transfer.grid ? "bytes_a_point" : "bytes_a_vertex"] = bytes;
+  if (all > bytes * receivers) json["bytes_of_clusters"] = all - bytes * receivers;  // shared by all receivers
   json["mean_of_first_coefficient"] = mean;
   if (const auto lobe = sharpest_lobe(transfer)) {
     json["sharpest_lobe"] = {{"exponent", lobe->exponent}, {"share_that_the_degree_holds", lobe->share}};

@@ -5,11 +5,21 @@
 
 namespace sh::prt {
 
-TransferKinds transfer_kinds() {
-  static constexpr std::array<const TransferKind*, 6> kKinds = {
-      &kUnshadowed, &kShadowed, &kInterreflected, &kGlossyUnshadowed, &kGlossyShadowed, &kGlossyInterreflected};
-  return kKinds;
-}
+namespace {
+
+// Those of surfaces, then those of volumes.
+constexpr std::array<const TransferKind*, 7> kKinds = {&kUnshadowed,       &kShadowed,       &kInterreflected,
+                                                       &kGlossyUnshadowed, &kGlossyShadowed, &kGlossyInterreflected,
+                                                       &kNeighborhood};
+constexpr std::size_t kSurfaceKinds = 6;
+
+}  // namespace
+
+TransferKinds transfer_kinds() { return TransferKinds(kKinds).first(kSurfaceKinds); }
+
+TransferKinds volume_kinds() { return TransferKinds(kKinds).subspan(kSurfaceKinds); }
+
+TransferKinds file_kinds() { return kKinds; }
 
 const TransferKind* find_kind(KindName name, std::string_view value, TransferKinds kinds) {
   const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const auto* kind) { return kind->*name == value; });

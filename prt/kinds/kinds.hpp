@@ -1,5 +1,5 @@
-// The kinds of transfer: names, shape of what a vertex stores, and the steps by which a bake makes it. A new kind needs a
-// definition in a file of this folder, a line here and a line in the list of kinds.cpp.
+// The kinds of transfer: names, shape of what a receiver stores, and the steps by which a bake makes it. A new kind needs a
+// definition in a file of this folder, a line here and a line in a list of kinds.cpp.
 #pragma once
 #include <algorithm>
 #include <span>
@@ -29,6 +29,10 @@ struct TransferKind {
   int highest_degree = kMaxDegree;                // of the light
   /// The shape of the matrices (Transfer::indirect) that bring light over other surfaces; null: there are none.
   TransferShape (*indirect)(int degree) = nullptr;
+  /// True if the receivers are the points of a grid, false if they are the vertices of a mesh.
+  bool on_grid = false;
+  /// True if the result may have any degree up to `highest_degree`; else shape() gives it.
+  bool any_result = false;
 
   /// True if a vertex keeps the radiance that reaches it, as a function of direction, and its material decides at run
   /// time what leaves it towards the eye.
@@ -66,9 +70,17 @@ extern const TransferKind kGlossyUnshadowed;
 extern const TransferKind kGlossyShadowed;
 extern const TransferKind kGlossyInterreflected;
 
+/// The space around an object [SloanKautzSnyder02, section 8] (N): every point of a grid keeps the part of the sphere that
+/// the object does not block.
+extern const TransferKind kNeighborhood;
+
 using TransferKinds = std::span<const TransferKind* const>;
 
+/// The kinds of surfaces, whose receivers are vertices; those of volumes, whose receivers are the points of a grid; and all
+/// that a file may have.
 TransferKinds transfer_kinds();
+TransferKinds volume_kinds();
+TransferKinds file_kinds();
 
 /// The name of a kind by which to find it: &TransferKind::letters or &TransferKind::word.
 using KindName = std::string_view TransferKind::*;

@@ -49,15 +49,14 @@ void append_lower(const float* numbers, const TransferShape& whole, const Transf
 void keep_bands(const KeptBands& kept, Transfer& transfer) {
   transfer.shape = with_bands(transfer.shape, kept);
   const std::size_t some = transfer.shape.storage.kept.size();
-  for (std::size_t v = 0; some > 0 && transfer.shape.meets == Meets::kOperator && v < transfer.mesh.positions.size();
-       ++v) {
+  for (std::size_t v = 0; some > 0 && transfer.shape.meets == Meets::kOperator && v < transfer.receivers(); ++v) {
     std::fill(transfer.row(v) + some, transfer.row(v) + transfer.shape.length(), 0.0F);
   }
   if (transfer.indirect.empty()) return;
   const TransferShape whole = transfer.indirect_shape;
   transfer.indirect_shape = with_bands(whole, kept);
   std::vector<float> low;
-  low.reserve(transfer.mesh.positions.size() * transfer.indirect_shape.length());
+  low.reserve(transfer.receivers() * transfer.indirect_shape.length());
   for (std::size_t first = 0; first < transfer.indirect.size(); first += whole.length()) {
     append_lower(transfer.indirect.data() + first, whole, transfer.indirect_shape, low);
   }

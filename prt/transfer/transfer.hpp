@@ -1,5 +1,5 @@
-// The result of a bake: a mesh and the transfer of every vertex (prt/transfer/shape.hpp describes its numbers). L (3,
-// bands^2) are the coefficients of the incident radiance.
+// The result of a bake: a mesh and the transfer of every vertex, or a grid and the transfer of every point
+// (prt/transfer/shape.hpp describes the numbers of a receiver). L (3, bands^2) are the coefficients of the incident radiance.
 //   without the albedo, one channel     exit radiance (RGB) = albedo * sum_i T_i L_i: it can be recolored
 //   with the albedo, three channels     exit radiance of channel c = sum_i T_ci L_ci, since the light that bounces
 //                                       depends on every albedo
@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "prt/mesh/mesh.hpp"
 #include "prt/names.hpp"
 #include "prt/transfer/clusters.hpp"
+#include "prt/transfer/point_grid.hpp"
 
 namespace sh::prt {
 
@@ -73,18 +75,19 @@ struct Shortfall {
   [[nodiscard]] bool any() const { return directions > 0 || tolerance > 0.0; }
 };
 
-/// The transfer of every vertex of `mesh`.
+/// The transfer of every receiver: the vertices of `mesh`, or the points of `grid`.
 struct Transfer {
-  std::string scene;  // the scene's name, for people
-  Mesh mesh;
+  std::string scene;              // the scene's name, for people
+  Mesh mesh;                      // empty where the receivers are points
+  std::optional<PointGrid> grid;  // only of the kinds whose receivers are points
   const TransferKind* kind = &kUnshadowed;
-  TransferShape shape;  // of a vertex's numbers; `element` and `kept` apply to files, in memory rows are complete
+  TransferShape shape;  // of a receiver's numbers; `element` and `kept` apply to files, in memory rows are complete
   std::uint32_t directions = 0;  // over the whole sphere; 0 where no ray was traced
   Sampler sampler = Sampler::kFibonacci;
   std::uint32_t seed = 0;           // of the sampler
   std::string instruction_set;      // on which the bits are reproducible
   BounceReport bounces;             // of kinds with bounces
-  std::vector<float> coefficients;  // (vertices, channels, rows, columns), row-major; columns i = l(l+1)+m
+  std::vector<float> coefficients;  // (receivers, channels, rows, columns), row-major; columns i = l(l+1)+m
   Clusters clusters;                // in place of `coefficients` where shape.storage is clustered
   TransferShape indirect_shape;     // of the matrices, where the kind has them: dot
   /// Matrices that bring the light to a vertex over other surfaces, (vertices, channels, rows, columns): they add to the
@@ -104,7 +107,8 @@ struct Transfer {
     return transfer;
   }
   [[nodiscard]] int degree() const { return shape.degree; }
-  /// The numbers of a vertex.
+  [[nodiscard]] std::size_t receivers() const { return grid ? grid->points() : mesh.positions.size(); }
+  /// The numbers of a receiver.
   [[nodiscard]] float* row(std::size_t vertex) { return coefficients.data() + vertex * shape.length(); }
   [[nodiscard]] const float* row(std::size_t vertex) const { return coefficients.data() + vertex * shape.length(); }
   /// The same where they may be clustered: they are then made in `room`.

@@ -169,7 +169,7 @@ TransferShape shape_from(const nlohmann::json& header, std::uint32_t version, co
   }
   const auto degree = whole_from<int>(header["degree"], 0, highest);
   TransferShape shape = kind.shape(degree);
-  const TransferShape expected = shape;
+  TransferShape expected = shape;
   if (version == 1) {
     shape.channels = header.contains("channels") ? whole_from<std::size_t>(header["channels"]) : 1;
   } else {
@@ -178,6 +178,7 @@ TransferShape shape_from(const nlohmann::json& header, std::uint32_t version, co
     shape.meets = value_from<Meets>(header.at("meets"), kMeetsNames, "transfer that meets the light by");
     shape.holds_cosine = header.at("holds_cosine").get<bool>();
     shape.holds_albedo = header.at("holds_albedo").get<bool>();
+    if (kind.any_result && shape.result_degree <= highest) expected.result_degree = shape.result_degree;
   }
   const auto rows = whole_from<std::uint64_t>(header.at("rows"));
   const auto columns = version == 1 ? expected.columns() : whole_from<std::uint64_t>(header.at("columns"));
@@ -237,7 +238,30 @@ Frame frame_from(const nlohmann::json& json) {
   return frame;
 }
 
-std::string_view holds(const TransferShape& shape) {
+Json to_json(const PointGrid& grid) {
+  const auto corner = [](const Eigen::Vector3d& p) { return Json{p.x(), p.y(), p.z()}; };
+  return {{"box", {corner(grid.box.min()), corner(grid.box.max())}}, {"counts", grid.counts}, {"filled", grid.filled}};
+}
+
+PointGrid grid_from(const nlohmann::json& json) {
+  const auto box = json.at("box").get<std::array<std::array<double, 3>, 2>>();
+  PointGrid grid;
+  grid.box = {Eigen::Vector3d(box[0].data()), Eigen::Vector3d(box[1].data())};
+  const nlohmann::json& counts = json.at("counts");
+  if (json["box"].size() != 2 || json["box"][0].size() != 3 || json["box"][1].size() != 3 || counts.size() != 3) {
+    throw std::invalid_argument("transfer file whose grid has more than three axes");
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) grid.counts.at(axis) = whole_from<std::uint32_t>(counts.at(axis));
+  grid.filled = whole_from<std::size_t>(json.at("filled"));
+  if (std::string flaw = flaw_of(grid); !flaw.empty()) throw std::invalid_argument("transfer file: " + flaw);
+  return grid;
+}
+
+std::string_view holds(const TransferShape& shape, bool on_grid) {
+  if (on_grid && shape.meets == Meets::kOperator) {
+    return "visibility V, 1 where the object blocks nothing: V times the light, on the bands of the result, reaches "
+           "the point";
+  }
   if (shape.meets == Meets::kNothing) return "nothing: the light itself reaches every vertex";
   if (shape.meets == Meets::kOperator) {
     return "visibility V, 1 towards the sky: V times the light, on the bands of the light, reaches the vertex";
@@ -315,18 +339,23 @@ Json to_json(const PlanRecord& plan) {
 std::string transfer_header(const Transfer& transfer) {
   Json header = {{"format", "shforge transfer"}, {"scene", transfer.scene}, {"kind", transfer.kind->letters}};
   put_shape(transfer.shape, header);
-  header.update({{"vertices", transfer.mesh.positions.size()},
-                 {"faces", transfer.mesh.faces.size()},
-                 {"file_vertices", transfer.mesh.remap.size()},
-                 {"directions", transfer.directions},
+  if (transfer.grid) {
+    header["grid"] = to_json(*transfer.grid);
+  } else {
+    header.update({{"vertices", transfer.mesh.positions.size()},
+                   {"faces", transfer.mesh.faces.size()},
+                   {"file_vertices", transfer.mesh.remap.size()}});
+  }
+  header.update({{"directions", transfer.directions},
                  {"instruction_set", transfer.instruction_set},
-                 {"holds", holds(transfer.shape)},
+                 {"holds", holds(transfer.shape, transfer.grid.has_value())},
                  {"convention", "real SH, orthonormal, no Condon-Shortley phase, i = l(l+1)+m, band 1 is (y,z,x)"},
                  {"axes", "right-handed, z up"},
                  {"units", transfer.shape.holds_cosine
                                ? "positions: the scene's; transfer: radiance out over radiance in, no unit"
                                : "positions: the scene's; transfer: visibility, no unit"},
                  {"colour_space", "albedo: linear RGB, 0..1"}});
+  if (transfer.grid) header.erase("colour_space");  // of albedos
   if (!transfer.mesh.frame.is_world()) header["frame"] = to_json(transfer.mesh.frame);
   if (!transfer.emitted.empty()) {
     header["emitted"] = "exit radiance that is there whatever the light, to be added: linear RGB, W m^-2 sr^-1";
@@ -356,6 +385,7 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
                                             fmt::join(kind_names(&TransferKind::letters, kinds), ", ")));
   }
   transfer.shape = shape_from(header, version, *transfer.kind);
+  if (transfer.kind->on_grid) transfer.grid = grid_from(header.at("grid"));
   if (header.contains("frame")) transfer.mesh.frame = frame_from(header.at("frame"));
   if (transfer.kind->has_bounces()) transfer.bounces = bounces_from(header.at("bounces"));
   if (transfer.kind->indirect != nullptr) {

@@ -65,8 +65,8 @@ constexpr std::uint64_t bytes_of(const Section& section) {
   return section.rows * section.columns * size_of(section.type);
 }
 
-/// The rows of a section; stored: one a vertex, or those of the clusters.
-enum class Rows { kVertices, kStored, kOne, kOther };
+/// The rows of a section; stored: one a receiver, or those of the clusters.
+enum class Rows { kReceivers, kStored, kOne, kOther };
 enum class Presence { kAlways, kOptional, kNever };
 
 /// A section of a file. Sections stand in the order of kSections; presence_of() tells which a transfer has.
@@ -78,29 +78,35 @@ struct Kind {
   Presence presence;
 };
 inline constexpr std::array<Kind, 22> kSections = {
-    {{"position", kFloat, 3, Rows::kVertices, Presence::kAlways},
-     {"normal", kFloat, 3, Rows::kVertices, Presence::kAlways},
-     {"geonorm", kFloat, 3, Rows::kVertices, Presence::kAlways},
-     {"albedo", kFloat, 3, Rows::kVertices, Presence::kAlways},
+    {{"position", kFloat, 3, Rows::kReceivers, Presence::kAlways},
+     {"normal", kFloat, 3, Rows::kReceivers, Presence::kAlways},
+     {"geonorm", kFloat, 3, Rows::kReceivers, Presence::kAlways},
+     {"albedo", kFloat, 3, Rows::kReceivers, Presence::kAlways},
      {"face", kIndex, 3, Rows::kOther, Presence::kAlways},
      {"remap", kIndex, 1, Rows::kOther, Presence::kAlways},
      {"transfer", kFloat, 0, Rows::kStored, Presence::kAlways},
-     {"emitted", kFloat, 3, Rows::kVertices, Presence::kOptional},
+     {"emitted", kFloat, 3, Rows::kReceivers, Presence::kOptional},
      {"scale", kFloat, 0, Rows::kOne, Presence::kOptional},
-     {"mirror", kFloat, 3, Rows::kVertices, Presence::kOptional},
-     {"specular", kFloat, 3, Rows::kVertices, Presence::kOptional},
-     {"exponent", kFloat, 1, Rows::kVertices, Presence::kOptional},
-     {"brdf", kSmall, 1, Rows::kVertices, Presence::kOptional},
+     {"mirror", kFloat, 3, Rows::kReceivers, Presence::kOptional},
+     {"specular", kFloat, 3, Rows::kReceivers, Presence::kOptional},
+     {"exponent", kFloat, 1, Rows::kReceivers, Presence::kOptional},
+     {"brdf", kSmall, 1, Rows::kReceivers, Presence::kOptional},
      {"brdfrow", kFloat, even_count(kMaxDegree), Rows::kOther, Presence::kOptional},
-     {"texture", kFloat, 2, Rows::kVertices, Presence::kOptional},
-     {"normmap", kSmall, 1, Rows::kVertices, Presence::kOptional},
+     {"texture", kFloat, 2, Rows::kReceivers, Presence::kOptional},
+     {"normmap", kSmall, 1, Rows::kReceivers, Presence::kOptional},
      {"normtex", kHalf, 3, Rows::kOther, Presence::kOptional},
      {"indirect", kHalf, 0, Rows::kStored, Presence::kAlways},
-     {"cluster", kSmall, 1, Rows::kVertices, Presence::kAlways},
-     {"weight", kByte, 0, Rows::kVertices, Presence::kAlways},
-     {"icluster", kSmall, 1, Rows::kVertices, Presence::kAlways},
-     {"iweight", kByte, 0, Rows::kVertices, Presence::kAlways}}};
+     {"cluster", kSmall, 1, Rows::kReceivers, Presence::kAlways},
+     {"weight", kByte, 0, Rows::kReceivers, Presence::kAlways},
+     {"icluster", kSmall, 1, Rows::kReceivers, Presence::kAlways},
+     {"iweight", kByte, 0, Rows::kReceivers, Presence::kAlways}}};
 
+/// The sections of a mesh, which a transfer to the points of a grid does not have.
+constexpr bool is_of_mesh(const Kind& kind) {
+  constexpr std::array<std::string_view, 8> kOthers = {"transfer", "emitted", "scale",    "indirect",
+                                                       "cluster",  "weight",  "icluster", "iweight"};
+  return std::find(kOthers.begin(), kOthers.end(), kind.name) == kOthers.end();
+}
 constexpr bool is_weight(const Kind& kind) { return kind.name.ends_with("weight"); }
 constexpr bool is_of_clusters(const Kind& kind) { return is_weight(kind) || kind.name.ends_with("cluster"); }
 constexpr bool is_of_indirect(const Kind& kind) { return kind.name.starts_with('i'); }
@@ -121,14 +127,15 @@ inline std::uint64_t columns_of(const Kind& kind, const Transfer& transfer) {
 inline Presence presence_of(const Kind& kind, const Transfer& transfer) {
   const bool has_part = !is_of_indirect(kind) || transfer.kind->indirect != nullptr;
   const bool has_clusters = !is_of_clusters(kind) || shape_of(kind, transfer).storage.is_clustered();
-  return has_part && has_clusters && columns_of(kind, transfer) > 0 ? kind.presence : Presence::kNever;
+  const bool has_mesh = !is_of_mesh(kind) || !transfer.kind->on_grid;
+  return has_part && has_clusters && has_mesh && columns_of(kind, transfer) > 0 ? kind.presence : Presence::kNever;
 }
 
-/// The rows of a section of this transfer with so many vertices; those of Rows::kOther are as many as `otherwise`.
-inline std::uint64_t rows_of(const Kind& kind, const Transfer& transfer, std::uint64_t vertices,
+/// The rows of a section of this transfer with so many receivers; those of Rows::kOther are as many as `otherwise`.
+inline std::uint64_t rows_of(const Kind& kind, const Transfer& transfer, std::uint64_t receivers,
                              std::uint64_t otherwise) {
-  if (kind.rows == Rows::kStored) return shape_of(kind, transfer).stored_rows(vertices);
-  return kind.rows == Rows::kVertices ? vertices : kind.rows == Rows::kOne ? 1 : otherwise;
+  if (kind.rows == Rows::kStored) return shape_of(kind, transfer).stored_rows(receivers);
+  return kind.rows == Rows::kReceivers ? receivers : kind.rows == Rows::kOne ? 1 : otherwise;
 }
 
 /// Calls visit(items) for the contents of every section, in the order of kSections. `encoded` holds the rows of the

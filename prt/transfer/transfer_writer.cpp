@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,30 +17,35 @@ namespace {
 
 constexpr std::size_t kHeaderUnit = 16;
 
-// True if the numbers of so many vertices, or their clusters, are as many as the shape says.
+// True if the numbers of so many receivers, or their clusters, are as many as the shape says.
 bool fit(const std::vector<float>& numbers, const Clusters& clusters, const TransferShape& shape,
-         std::size_t vertices) {
-  if (!shape.storage.is_clustered()) return clusters.empty() && numbers.size() == vertices * shape.length();
-  return numbers.empty() && clusters.receivers() == vertices && clusters.length == shape.length() &&
-         clusters.vectors == shape.storage.vectors && clusters.weights.size() == vertices * clusters.vectors &&
-         clusters.basis.size() == shape.stored_rows(vertices) * shape.length();
+         std::size_t receivers) {
+  if (!shape.storage.is_clustered()) return clusters.empty() && numbers.size() == receivers * shape.length();
+  return numbers.empty() && clusters.receivers() == receivers && clusters.length == shape.length() &&
+         clusters.vectors == shape.storage.vectors && clusters.weights.size() == receivers * clusters.vectors &&
+         clusters.basis.size() == shape.stored_rows(receivers) * shape.length();
 }
 
 void check_lengths(const Transfer& transfer) {
   const Mesh& mesh = transfer.mesh;
   const std::size_t vertices = mesh.positions.size();
+  const std::size_t receivers = transfer.receivers();
+  if (transfer.grid.has_value() != transfer.kind->on_grid || (transfer.grid && vertices > 0)) {
+    throw std::invalid_argument(fmt::format("transfer of kind {}: expected {}", transfer.kind->letters,
+                                            transfer.kind->on_grid ? "a grid and no mesh" : "no grid"));
+  }
   if (mesh.normals.size() != vertices || mesh.geometric_normals.size() != vertices || mesh.albedo.size() != vertices ||
-      !fit(transfer.coefficients, transfer.clusters, transfer.shape, vertices) ||
+      !fit(transfer.coefficients, transfer.clusters, transfer.shape, receivers) ||
       (transfer.kind->indirect != nullptr
-           ? !fit(transfer.indirect, transfer.indirect_clusters, transfer.indirect_shape, vertices)
+           ? !fit(transfer.indirect, transfer.indirect_clusters, transfer.indirect_shape, receivers)
            : !transfer.indirect.empty()) ||
-      (!transfer.emitted.empty() && transfer.emitted.size() != vertices) ||
+      (!transfer.emitted.empty() && transfer.emitted.size() != receivers) ||
       (!mesh.mirror.empty() && mesh.mirror.size() != vertices) ||
       (!mesh.specular.empty() && mesh.specular.size() != vertices) || mesh.exponent.size() != mesh.specular.size() ||
       (!mesh.brdf.empty() && mesh.brdf.size() != vertices) ||
       (!mesh.normal_map.empty() && mesh.normal_map.size() != vertices) ||
       mesh.texture.size() != mesh.normal_map.size()) {
-    throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a vertex in each");
+    throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a receiver in each");
   }
 }
 

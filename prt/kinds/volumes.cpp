@@ -1,0 +1,22 @@
+// Transfer to points of space: what an object or a medium around them does to the light.
+#include "prt/basis.hpp"
+#include "prt/kinds/kinds.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+constexpr int kResultDegree = 4;
+
+// The visibility, 1 where the object does not block the sphere: its product with light of this degree, on the bands of the
+// result, needs no more than both degrees together.
+TransferShape visibility(int degree) {
+  return {.degree = degree, .result_degree = kResultDegree, .meets = Meets::kOperator, .holds_cosine = false};
+}
+
+}  // namespace
+
+constinit const TransferKind kNeighborhood = {"N",     "neighborhood", visibility, {}, nullptr, kHighestProduct,
+                                              nullptr, true,           true};
+
+}  // namespace sh::prt
