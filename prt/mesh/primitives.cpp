@@ -134,8 +134,9 @@ struct Maker {
 };
 
 constexpr Maker kMakers[] = {{"arch", make_arch},         {"box", make_box},       {"cone", make_cone},
-                             {"cylinder", make_cylinder}, {"plane", make_plane},   {"ring", make_ring},
-                             {"sphere", make_sphere},     {"stairs", make_stairs}, {"torus", make_torus}};
+                             {"cylinder", make_cylinder}, {"hills", make_hills},   {"plane", make_plane},
+                             {"ring", make_ring},         {"sphere", make_sphere}, {"stairs", make_stairs},
+                             {"torus", make_torus},       {"wing", make_wing}};
 
 }  // namespace
 

@@ -11,7 +11,7 @@
 
 namespace sh::prt {
 
-/// The names that make_primitive accepts: arch box cone cylinder plane ring sphere stairs torus.
+/// The names that make_primitive accepts: arch box cone cylinder hills plane ring sphere stairs torus wing.
 std::vector<std::string_view> primitive_names();
 
 /// The shape with linear RGB albedo 0.5, ready for transform() and weld(). `segments` is the number of sides of a full
@@ -45,5 +45,9 @@ struct Profile {
 };
 /// The solid over the outline from y = -1/2 to y = 1/2, without texture coordinates.
 Soup extrude(const Profile& profile);
+
+/// A square of bumpy ground, with so many steps along each side, and a closed, thin wing with its nose towards +x.
+Soup make_hills(int segments);
+Soup make_wing(int segments);
 
 }  // namespace sh::prt
