@@ -118,20 +118,22 @@ bool decode_chunk(std::string_view data, const VertexRange& range, ShadowResult&
 
 }  // namespace
 
-std::string bake_key(const Scene& scene, const std::string& instruction_set, const std::vector<std::uint8_t>& open) {
+std::string bake_key(const Scene& scene, const std::string& instruction_set, const std::vector<std::uint8_t>& open,
+                     const std::string& points) {
   [[maybe_unused]] const auto& [degree, directions, sampler, seed, kind, bounces, keep, compress, by_plan, fit_lobes] =
       scene.bake;  // as above
-  const nlohmann::ordered_json key = {{"vertices", scene.mesh.positions.size()},
-                                      {"faces", scene.mesh.faces.size()},
-                                      {"mesh", mesh_checksum(scene.mesh)},
-                                      {"open_vertices", std::count(open.begin(), open.end(), 1)},
-                                      {"open", fmt::format("{:016x}", checksum_of(open))},
-                                      {"transfer", kind->word},
-                                      {"degree", degree},
-                                      {"directions", directions},
-                                      {"sampler", name_of(sampler)},
-                                      {"seed", seed},
-                                      {"instruction_set", instruction_set}};
+  nlohmann::ordered_json key = {{"vertices", scene.mesh.positions.size()},
+                                {"faces", scene.mesh.faces.size()},
+                                {"mesh", mesh_checksum(scene.mesh)},
+                                {"open_vertices", std::count(open.begin(), open.end(), 1)},
+                                {"open", fmt::format("{:016x}", checksum_of(open))},
+                                {"transfer", kind->word},
+                                {"degree", degree},
+                                {"directions", directions},
+                                {"sampler", name_of(sampler)},
+                                {"seed", seed},
+                                {"instruction_set", instruction_set}};
+  if (!points.empty()) key["points"] = points;
   return key.dump();
 }
 

@@ -27,9 +27,10 @@ struct ShadowResult {
 };
 
 /// A JSON object: counts and checksum of the mesh and of `open` (see Plan), kind, degree, directions, sampler, seed,
-/// instruction set. Albedo, tolerance and solver are not in it: only the bounces use them, and rays do not depend on
-/// them.
-std::string bake_key(const Scene& scene, const std::string& instruction_set, const std::vector<std::uint8_t>& open);
+/// instruction set, and `points`, which describes receivers that are not the vertices. Albedo, tolerance and solver are
+/// not in it: only the bounces use them, and rays do not depend on them.
+std::string bake_key(const Scene& scene, const std::string& instruction_set, const std::vector<std::uint8_t>& open,
+                     const std::string& points = {});
 
 class Checkpoint {
  public:

@@ -3,6 +3,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "prt/bake/form_factors.hpp"
@@ -22,6 +23,13 @@ struct RaySetup {
   /// Other directions for the same mesh.
   RaySetup(const RaySetup& same, const BakeOptions& options)
       : mesh(same.mesh), shared(same.shared), directions(options), starts(same.starts) {}
+  /// Other receivers than the vertices of the mesh, of this shape: points of space.
+  RaySetup(const Mesh& the_mesh, const BakeOptions& options, const TransferShape& traced, std::vector<RayStart> points,
+           int threads, const std::string& instruction_set)
+      : mesh(the_mesh),
+        shared(std::make_shared<Tracer>(mesh, threads, instruction_set)),
+        directions(options, traced),
+        starts(std::move(points)) {}
   RaySetup(const RaySetup&) = delete;
   RaySetup& operator=(const RaySetup&) = delete;
 

@@ -43,10 +43,7 @@ struct BakeCommand : SceneOptions {
   std::string instruction_set;
   std::size_t bounce_memory = 4096;  // MiB
   bool strict = false;
-  std::string checkpoint;  // empty: beside the output
-  bool no_checkpoint = false;
-  bool restart = false;
-  double checkpoint_seconds = CheckpointSettings().seconds;
+  CheckpointOptions checkpoint;
   bool only_estimate = false;
   std::optional<double> budget_seconds;
 };
@@ -113,16 +110,9 @@ void SceneOptions::apply_to(Scene& loaded) const {
 }
 
 CheckpointSettings checkpoint_of(const BakeCommand& options) {
-  CheckpointSettings settings{options.checkpoint, options.restart, options.checkpoint_seconds};
-  const bool is_special = std::filesystem::exists(options.output) && !std::filesystem::is_regular_file(options.output);
-  if (settings.path.empty() && !options.no_checkpoint && !is_special && !options.budget_seconds &&
-      !options.only_estimate) {
-    settings.path = options.output + ".part";
-  }
-  if (settings.path.empty()) return settings;
-  output::require_writable(settings.path);
-  output::require_no_input(settings.path, {options.output});
-  return settings;
+  CheckpointOptions checkpoint = options.checkpoint;
+  checkpoint.none = checkpoint.none || options.budget_seconds || options.only_estimate;
+  return checkpoint.settings(options.output);
 }
 
 constexpr double kLittleOfALobe = 0.9;
@@ -249,23 +239,6 @@ void run_plan(const PlanCommand& options) {
   report_time(stopwatch, "planned");
 }
 
-void add_checkpoint_to(CLI::App& command, BakeCommand& options) {
-  auto* path = command.add_option("--checkpoint", options.checkpoint,
-                                  "file in which a stopped bake saves its results; the same command continues from "
-                                  "there; default: the output's name with .part");
-  command
-      .add_option("--budget-seconds", options.budget_seconds,
-                  "finish in about this time, with fewer directions and a looser tolerance; the file states both")
-      ->check(CLI::Range(0.0, 1e9))
-      ->excludes(path);
-  command.add_flag("--no-checkpoint", options.no_checkpoint, "write no checkpoint")->excludes(path);
-  command.add_flag("--restart", options.restart, "delete the checkpoint and start again");
-  command
-      .add_option("--checkpoint-seconds", options.checkpoint_seconds,
-                  "seconds of work that a killed process loses at most")
-      ->check(CLI::Range(0.0, 1e6));
-}
-
 }  // namespace
 
 void add_bake_command(CLI::App& tool) {
@@ -284,7 +257,11 @@ void add_bake_command(CLI::App& tool) {
   command.add_option("--instruction-set", options->instruction_set,
                      "instruction set for rays: sse4.2, avx, avx2 or avx512; results are reproducible on each");
   command.add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");
-  add_checkpoint_to(command, *options);
+  command
+      .add_option("--budget-seconds", options->budget_seconds,
+                  "finish in about this time, with fewer directions and a looser tolerance; the file states both")
+      ->check(CLI::Range(0.0, 1e9))
+      ->excludes(options->checkpoint.add_to(command));
   run_with_threads<BakeCommand>(
       command, options,
       [](const BakeCommand& given) {

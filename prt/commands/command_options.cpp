@@ -136,6 +136,27 @@ ChosenLight choose_light(const LightOptions& options, const std::vector<LightSpe
   return chosen;
 }
 
+CLI::Option* CheckpointOptions::add_to(CLI::App& command) {
+  auto* path = command.add_option("--checkpoint", file,
+                                  "file in which a stopped bake saves its results; the same command continues from "
+                                  "there; default: the output's name with .part");
+  command.add_flag("--no-checkpoint", none, "write no checkpoint")->excludes(path);
+  command.add_flag("--restart", restart, "delete the checkpoint and start again");
+  command.add_option("--checkpoint-seconds", seconds, "seconds of work that a killed process loses at most")
+      ->check(CLI::Range(0.0, 1e6));
+  return path;
+}
+
+CheckpointSettings CheckpointOptions::settings(const std::string& output) const {
+  CheckpointSettings made{file, restart, seconds};
+  const bool is_special = std::filesystem::exists(output) && !std::filesystem::is_regular_file(output);
+  if (made.path.empty() && !none && !is_special) made.path = output + ".part";
+  if (made.path.empty()) return made;
+  output::require_writable(made.path);
+  output::require_no_input(made.path, {output});
+  return made;
+}
+
 void with_threads(int threads, const std::function<void()>& work) {
   if (threads < 0) throw std::invalid_argument(fmt::format("--threads {}: expected 0 (every core) or more", threads));
   const auto count = static_cast<std::size_t>(threads == 0 ? tbb::info::default_concurrency() : threads);

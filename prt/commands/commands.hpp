@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "numeric/output/stopwatch.hpp"
+#include "prt/bake/bake.hpp"
 #include "prt/light/light.hpp"
 #include "prt/light/window.hpp"
 #include "prt/scene/scene.hpp"
@@ -26,6 +27,7 @@ int run_tool(int argc, char** argv);
 
 /// Each function adds its subcommand to the tool; parsing the command line then runs it.
 void add_bake_command(CLI::App& tool);
+void add_volume_command(CLI::App& tool);
 void add_relight_command(CLI::App& tool);
 void add_render_command(CLI::App& tool);
 void add_shader_command(CLI::App& tool);
@@ -90,6 +92,20 @@ void add_mapping_to(CLI::App& command, std::string& mapping);
 /// The lights that a word or a file stands for: `constant`, `overcast`, a JSON file with one light of a scene or an
 /// array of lights, else a picture of this mapping.
 std::vector<LightSpec> named_lights(const std::string& name, const std::string& mapping);
+
+/// `--checkpoint` and its like: where a stopped bake saves its results.
+struct CheckpointOptions {
+  std::string file;  // empty: beside the output
+  bool none = false;
+  bool restart = false;
+  double seconds = CheckpointSettings().seconds;
+
+  /// Returns the option of the file, with which others may not stand.
+  CLI::Option* add_to(CLI::App& command);
+  /// Of a bake into `output`; without a checkpoint if `none` is set or the output is a device. Throws std::runtime_error if
+  /// the file cannot be written.
+  [[nodiscard]] CheckpointSettings settings(const std::string& output) const;
+};
 
 /// The treatment of flaws, by the flag `--strict`.
 inline OnFlaw on_flaw(bool strict) { return strict ? OnFlaw::kRefuse : OnFlaw::kMend; }

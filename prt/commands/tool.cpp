@@ -23,6 +23,7 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {{"bake", sh::prt::add_bake_command},
+                                 {"volume", sh::prt::add_volume_command},
                                  {"relight", sh::prt::add_relight_command},
                                  {"render", sh::prt::add_render_command},
                                  {"shader", sh::prt::add_shader_command},

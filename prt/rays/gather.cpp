@@ -75,14 +75,16 @@ std::vector<RayStart> ray_starts(const Mesh& mesh) {
 }
 
 SharedDirections::SharedDirections(const BakeOptions& options)
-    : SharedDirections(make_directions(options.sampler, options.directions, options.seed),
-                       options.kind->traced_shape(options.degree).columns(), [&](const Eigen::Vector3f& d, float* out) {
-                         evaluate_basis(options.kind->traced_shape(options.degree).function_degree(), d.x(), d.y(),
-                                        d.z(), out);
+    : SharedDirections(options, options.kind->traced_shape(options.degree)) {}
+
+SharedDirections::SharedDirections(const BakeOptions& options, const TransferShape& traced)
+    : SharedDirections(make_directions(options.sampler, options.directions, options.seed), traced.columns(),
+                       [&](const Eigen::Vector3f& d, float* out) {
+                         evaluate_basis(traced.function_degree(), d.x(), d.y(), d.z(), out);
                        }) {
   degree_ = options.degree;
   about_normal_ = options.sampler == Sampler::kCosine;
-  weighs_cosine_ = options.kind->traced_shape(options.degree).holds_cosine;
+  weighs_cosine_ = traced.holds_cosine;
 }
 
 SharedDirections::SharedDirections(std::vector<Eigen::Vector3f> directions, std::size_t columns, const Row& row)
@@ -131,7 +133,13 @@ Gatherer::Gatherer(const Mesh& mesh, const std::vector<RayStart>& starts, const 
       weights_(directions.size(), 1.0F / static_cast<float>(directions.size())),
       heights_(directions.size()) {}
 
-std::size_t Gatherer::aim(std::size_t vertex) {
+void Gatherer::weigh_sphere() {
+  constexpr float kSphere = 4.0F * std::numbers::pi_v<float>;
+  std::fill(weights_.begin(), weights_.end(), kSphere / static_cast<float>(directions_.size()));
+  std::fill(heights_.begin(), heights_.end(), 1.0F);
+}
+
+void Gatherer::weigh_hemisphere(std::size_t vertex) {
   const Eigen::Vector3f& normal = mesh_.normals[vertex];
   const Eigen::Vector3f& geometric_normal = mesh_.geometric_normals[vertex];
   if (directions_.about_normal()) {
@@ -147,6 +155,10 @@ std::size_t Gatherer::aim(std::size_t vertex) {
                      [&](float height) { return height > 0.0F ? std::numbers::pi_v<float> * whole : 0.0F; });
     }
   }
+}
+
+std::size_t Gatherer::aim(std::size_t receiver) {
+  starts_[receiver].in_space ? weigh_sphere() : weigh_hemisphere(receiver);
   std::size_t traced = 0;
   below_ = 0;
   for (std::uint32_t j = 0; j < directions_.size(); ++j) {
@@ -158,7 +170,7 @@ std::size_t Gatherer::aim(std::size_t vertex) {
     traced += counts & is_above;
     below_ += counts & (is_above ^ 1U);
   }
-  for (std::size_t i = 0; i < traced; ++i) rays_[i].aim(starts_[vertex].origin, towards(chosen_[i]));
+  for (std::size_t i = 0; i < traced; ++i) rays_[i].aim(starts_[receiver].origin, towards(chosen_[i]));
   return traced;
 }
 

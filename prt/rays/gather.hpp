@@ -1,4 +1,5 @@
-// Finds the visible part of the shared directions at one vertex: the inner loop of the shadowed bake.
+// Finds the visible part of the shared directions at one receiver, a vertex or a point of space: the inner loop of the
+// shadowed bake.
 #pragma once
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -14,11 +15,12 @@
 
 namespace sh::prt {
 
-/// The origin of the rays of a vertex, and the reach of the mesh around it: the mean distance to the centers of its
-/// faces, about half an edge.
+/// The origin of the rays of a receiver, and the reach of the mesh around it: the mean distance to the centers of its
+/// faces, about half an edge; 0 for a point of space, which has no horizon. The others are the vertices of the mesh.
 struct RayStart {
   Eigen::Vector3f origin;
   float reach;
+  bool in_space = false;
 };
 
 /// Each origin lies slightly off the surface along the geometric normal, and as far towards the center of the faces
@@ -30,6 +32,8 @@ std::vector<RayStart> ray_starts(const Mesh& mesh);
 class SharedDirections {
  public:
   explicit SharedDirections(const BakeOptions& options);
+  /// The directions of the options for receivers of this shape, of one channel.
+  SharedDirections(const BakeOptions& options, const TransferShape& traced);
   /// Uses other functions instead of the basis: row(direction, out) writes `columns` values, of which the first is 1.
   /// For directions of any sampler except cosine.
   using Row = std::function<void(const Eigen::Vector3f& direction, float* out)>;
@@ -60,8 +64,8 @@ class SharedDirections {
 inline constexpr std::size_t kMaxRow = 128;
 
 /// Quadrature sums of Y_lm over the hemisphere of the shading normal. The weights are 4/N cos, or 1/N for directions of
-/// the cosine sampler. Without the cosine the sums are over the hemisphere of the geometric normal, the weights 4 pi/N,
-/// and parts of the cosine below are parts of this hemisphere.
+/// the cosine sampler. Without the cosine the sums are over the hemisphere of the geometric normal, or over the sphere in
+/// space, the weights 4 pi/N, and parts of the cosine below are parts of this hemisphere or sphere.
 struct Gathered {
   alignas(64) std::array<float, kMaxRow> visible;
   alignas(64) std::array<float, kMaxRow> all;
@@ -92,7 +96,7 @@ struct Sight {
   [[nodiscard]] float closed() const { return std::max(buried, covered); }
 };
 
-/// Traces the rays of vertices, with the reusable buffers of one thread. All arguments must outlive it.
+/// Traces the rays of receivers, with the reusable buffers of one thread. All arguments must outlive it.
 class Gatherer {
  public:
   Gatherer(const Mesh& mesh, const std::vector<RayStart>& starts, const Tracer& tracer,
@@ -108,9 +112,12 @@ class Gatherer {
   std::vector<ShadowRay> rays(std::size_t vertex);
 
  private:
+  // The weights and heights of all directions.
+  void weigh_sphere();
+  void weigh_hemisphere(std::size_t vertex);
   // Selects directions: fills `chosen_`, which are to be traced, and `blocked_`, which lie under the horizon. Returns
   // how many to trace.
-  std::size_t aim(std::size_t vertex);
+  std::size_t aim(std::size_t receiver);
   // Direction j in world axes.
   [[nodiscard]] Eigen::Vector3f towards(std::uint32_t j) const {
     return directions_.about_normal() ? (frame_ * directions_.direction(j)).eval() : directions_.direction(j);

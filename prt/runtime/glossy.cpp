@@ -27,6 +27,8 @@ namespace {
 
 constexpr std::size_t kChannels = 3;
 constexpr std::size_t kMostCoefficients = coefficient_count(kMaxDegree);
+constexpr double kStrongest = 1e36;
+constexpr float kPartOfSphere = 0.28209479F;  // of a function that is 1: its coefficient is sqrt(4 pi)
 
 // reaching (count, 3, `bands`) += matrices (count, channels, rows, columns) times the light (3, columns), in the lower
 // bands. Every row meets every channel of the light, which is faster than to leave some out.
@@ -65,6 +67,40 @@ void add_clusters(const Clusters& clusters, const std::vector<float>& lit, std::
   });
 }
 
+// values (points, 3, bands^2) of the degree of the result or of the light, whichever is higher.
+void meet_points(const Transfer& volume, const LightCoefficients& light, std::vector<float>& values) {
+  const TransferShape& shape = volume.shape;
+  const std::size_t points = volume.receivers();
+  const int degree = std::max(shape.result_degree, light.degree);
+  const std::size_t result = coefficient_count(shape.result_degree);
+  const std::size_t bands = coefficient_count(degree);
+  const std::vector<float> low = in_single(first_bands(light, std::min(light.degree, shape.degree)), shape.degree);
+  values.resize(points * kChannels * bands);
+  if (light.degree <= shape.degree && bands == result) {
+    return transfer_light(shape, points, volume.coefficients.data(), low, values.data());
+  }
+  std::vector<float> met(points * kChannels * result);
+  transfer_light(shape, points, volume.coefficients.data(), low, met.data());
+  const std::vector<float> all = in_single(light, degree);
+  const std::size_t first = std::min(coefficient_count(shape.degree), bands);  // of the bands that are not met
+  for_vertices(points, [&](std::size_t p) {
+    const float seen = volume.row(p)[0] * kPartOfSphere;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      float* own = &values[(p * kChannels + c) * bands];
+      std::fill(std::copy_n(&met[(p * kChannels + c) * result], result, own), own + bands, 0.0F);
+      as_array(own + first, bands - first) += seen * as_array(&all[c * bands + first], bands - first);
+    }
+  });
+}
+
+// Throws unless all numbers pass the test.
+template <class Numbers, class Test>
+void require_single(const Transfer& transfer, const Numbers& numbers, const Test& test) {
+  if (std::all_of(numbers.begin(), numbers.end(), test)) return;
+  throw std::runtime_error(fmt::format(
+      "{}: the radiance that reaches it exceeds single precision; expected weaker lights, below 1e37", transfer.scene));
+}
+
 Eigen::Vector3f summed(int degree, const float* lobe, const float* reaching) {
   Eigen::Vector3f sums;
   at_degree(degree, [&](auto known) { sh::relight_rgb<known()>(lobe, reaching, sums.data()); });
@@ -73,11 +109,20 @@ Eigen::Vector3f summed(int degree, const float* lobe, const float* reaching) {
 
 }  // namespace
 
-TransferredRadiance::TransferredRadiance(const Transfer& transfer, const LightCoefficients& light)
-    : degree_(transfer.degree()) {
+void TransferredRadiance::meet(const Transfer& transfer, const LightCoefficients& light) {
+  degree_ = transfer.degree();
+  stride_ = 0;
   if (!transfer.kind->is_glossy()) {
     throw std::invalid_argument(
         fmt::format("transfer of kind {} is exit radiance; expected a glossy kind", transfer.kind->letters));
+  }
+  if (transfer.grid) {
+    degree_ = std::max(transfer.shape.result_degree, light.degree);
+    // No visibility exceeds 4, so that the product is then within single precision.
+    require_single(transfer, light.values, [](double value) { return std::abs(value) <= kStrongest; });
+    meet_points(transfer, light, values_);
+    stride_ = kChannels * coefficient_count(degree_);
+    return;
   }
   require_light(transfer, light);
   const std::vector<float> wide = in_single(light, degree_);
@@ -110,11 +155,7 @@ TransferredRadiance::TransferredRadiance(const Transfer& transfer, const LightCo
     add_indirect(shape, count, basis.data(), low.data(), shape.rows(), lit.data());
     add_clusters(transfer.indirect_clusters, lit, shape.rows(), values_);
   }
-  if (!std::all_of(values_.begin(), values_.end(), [](float value) { return std::isfinite(value); })) {
-    throw std::runtime_error(
-        fmt::format("{}: the radiance that reaches it exceeds single precision; expected weaker lights, below 1e37",
-                    transfer.scene));
-  }
+  require_single(transfer, values_, [](float value) { return std::isfinite(value); });
 }
 
 void TransferredRadiance::at(const Hit& hit, const Mesh& mesh, float* out) const {

@@ -14,25 +14,34 @@
 #include "prt/light/light_coefficients.hpp"
 #include "prt/runtime/exit_lobes.hpp"
 #include "prt/runtime/render.hpp"
+#include "prt/transfer/grid_cell.hpp"
 #include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
 
-/// The radiance that reaches every vertex. The same bits on one instruction set (generated/batch/records.hpp).
+/// The radiance that reaches every receiver, a vertex or a point of space. The same bits on one instruction set
+/// (generated/batch/records.hpp).
 class TransferredRadiance {
  public:
-  /// A light of lower degree than the transfer is zero in the bands above. Throws std::invalid_argument for transfer that
-  /// is not glossy, and if the light has a higher degree; std::runtime_error if a number exceeds single precision.
-  TransferredRadiance(const Transfer& transfer, const LightCoefficients& light);
+  /// A light of lower degree than the transfer is zero in the bands above. Around an object the light may have a higher
+  /// degree, too: a point gets of the bands above the part that the object does not block of the sphere. Throws
+  /// std::invalid_argument for transfer that is not glossy, and if the light has a higher degree; std::runtime_error if a
+  /// number exceeds single precision.
+  TransferredRadiance(const Transfer& transfer, const LightCoefficients& light) { meet(transfer, light); }
+  /// The same again, for the next frame, in the memory that is there.
+  void meet(const Transfer& transfer, const LightCoefficients& light);
 
+  /// That of the light; around an object that of the result or of the light, whichever is higher.
   [[nodiscard]] int degree() const { return degree_; }
   /// (3, bands^2): red, green, blue.
   [[nodiscard]] const float* at(std::size_t vertex) const { return values_.data() + vertex * stride_; }
   /// The same between the corners of a face, into `out`.
   void at(const Hit& hit, const Mesh& mesh, float* out) const;
+  /// The same between the points of a grid.
+  void at(const GridCell& cell, float* out) const { cell.mix(values_.data(), stride_, out); }
 
  private:
-  int degree_;
+  int degree_ = 0;
   std::size_t stride_ = 0;  // then one radiance reaches every vertex
   std::vector<float> values_;
 };

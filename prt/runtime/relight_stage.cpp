@@ -4,10 +4,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
+#include <optional>
 
 #include "prt/chunks.hpp"
 #include "prt/light/proxy_shadow.hpp"
 #include "prt/mesh/weld.hpp"
+#include "prt/runtime/neighborhood.hpp"
 #include "prt/runtime/relight.hpp"
 
 namespace sh::prt {
@@ -22,7 +25,7 @@ std::vector<Cap> caps_seen_from(const Stage& stage, const std::vector<Pose>& pos
   std::vector<Cap> caps;
   for (std::size_t k = 0; k < stage.objects.size(); ++k) {
     const Sphere& proxy = stage.objects[k].proxy;
-    if (k != index && proxy.radius > 0.0) {
+    if (k != index && proxy.radius > 0.0 && !stage.objects[k].volume) {
       Cap cap = sphere_seen_from(point, placed(poses[k], proxy.center), proxy.radius);
       cap.direction = (poses[index].rotation.transpose() * cap.direction).normalized();
       caps.push_back(cap);
@@ -36,23 +39,30 @@ LightCoefficients turned_into(const Pose& pose, const LightCoefficients& light, 
   return turned(light, pose.rotation.transpose() * light_turn);
 }
 
+/// The light at a point, in the axes of object `index`, which `light` has without the other objects.
+LightCoefficients light_at(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
+                           const LightCoefficients& light, const Neighborhoods* around, const Eigen::Vector3d& point) {
+  const std::optional<LightCoefficients> behind = around == nullptr ? std::nullopt : around->at(index, point);
+  return shadowed_by_caps(behind ? *behind : light, caps_seen_from(stage, poses, index, point));
+}
+
 /// The light at the proxy's center of object `index`, in the axes of the object. A single object whose rotation is the
 /// identity gets the same bits back.
 LightCoefficients light_at_object(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
-                                  const LightCoefficients& light, const Eigen::Matrix3d& light_turn) {
+                                  const LightCoefficients& light, const Neighborhoods* around) {
   const Eigen::Vector3d center = placed(poses[index], stage.objects[index].proxy.center);
-  return shadowed_by_caps(turned_into(poses[index], light, light_turn), caps_seen_from(stage, poses, index, center));
+  return light_at(stage, poses, index, light, around, center);
 }
 
 /// Relights each vertex under the light that reaches it.
 std::vector<Eigen::Vector3f> radiance_per_vertex(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
-                                                 const LightCoefficients& light, const Shading& shading) {
+                                                 const LightCoefficients& light, const Neighborhoods* around,
+                                                 const Shading& shading) {
   const Transfer& transfer = *stage.objects[index].transfer;
   std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
   in_parallel(std::size_t{0}, radiance.size(), [&](std::size_t v) {
     const Eigen::Vector3d point = placed(poses[index], transfer.mesh.point(v));
-    radiance[v] =
-        shading.shade_vertex(transfer, v, shadowed_by_caps(light, caps_seen_from(stage, poses, index, point)));
+    radiance[v] = shading.shade_vertex(transfer, v, light_at(stage, poses, index, light, around, point));
   });
   return radiance;
 }
@@ -77,7 +87,8 @@ std::vector<std::string> overlaps(const Stage& stage, const std::vector<Pose>& p
     const Eigen::Vector3d center = placed(poses[i], stage.objects[i].proxy.center);
     for (std::size_t k = 0; k < stage.objects.size(); ++k) {
       const Sphere& proxy = stage.objects[k].proxy;
-      if (k != i && !stage.objects[i].per_vertex && (placed(poses[k], proxy.center) - center).norm() < proxy.radius) {
+      if (k != i && !stage.objects[k].volume && !stage.objects[i].per_vertex &&
+          (placed(poses[k], proxy.center) - center).norm() < proxy.radius) {
         lines.push_back(
             fmt::format("{}: the center of object {} ({}) is inside the proxy of object {} ({}), which "
                         "takes half of its light",
@@ -119,12 +130,18 @@ StageLighting::StageLighting(const Stage& stage, const std::function<LightCoeffi
 std::vector<Eigen::Vector3f> StageLighting::radiance(const std::vector<Pose>& poses,
                                                      const Eigen::Matrix3d& light_turn) const {
   std::vector<Eigen::Vector3f> all;
+  std::map<int, Neighborhoods> around;  // by the degree of the transfer
+  if (std::any_of(stage_.objects.begin(), stage_.objects.end(), [](const auto& object) { return object.volume; })) {
+    for (const auto& [degree, light] : lights_) around.try_emplace(degree, stage_, poses, turned(light, light_turn));
+  }
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const StageObject& object = stage_.objects[i];
-    const LightCoefficients& light = lights_.at(object.transfer->degree());
+    const int degree = object.transfer->degree();
+    const LightCoefficients light = turned_into(poses[i], lights_.at(degree), light_turn);
+    const Neighborhoods* volumes = around.empty() ? nullptr : &around.at(degree);
     const std::vector<Eigen::Vector3f> part =
-        object.per_vertex ? radiance_per_vertex(stage_, poses, i, turned_into(poses[i], light, light_turn), shading_)
-                          : shading_.shade(*object.transfer, light_at_object(stage_, poses, i, light, light_turn));
+        object.per_vertex ? radiance_per_vertex(stage_, poses, i, light, volumes, shading_)
+                          : shading_.shade(*object.transfer, light_at_object(stage_, poses, i, light, volumes));
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

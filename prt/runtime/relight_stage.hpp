@@ -1,11 +1,12 @@
 // Relights several rigidly moving objects under one light. Each object takes the light turned by the inverse of its own
-// rotation. The bounding spheres of the other objects cover caps of this light (prt/light/proxy_shadow.hpp). The caps
-// are seen from the center of the object or, if the object asks for it, from each of its vertices.
+// rotation. Around an object whose space has been baked, its volume says what it leaves of this light
+// (prt/runtime/neighborhood.hpp). The bounding spheres of the other objects cover caps of it (prt/light/proxy_shadow.hpp).
+// Both are seen from the center of the object or, if the object asks for it, from each of its vertices.
 //
-// Approximations: the light is equally far away from all objects. An object blocks light like its sphere. No light goes
-// from one object to another. With one light for the whole object, a shadow falls evenly on all of it. A point inside
-// the sphere of another object, for instance where objects touch, has half of its directions covered; overlaps()
-// reports it.
+// Approximations: the light is equally far away from all objects. An object without a volume blocks light like its
+// sphere. No light goes from one object to another. With one light for the whole object, a shadow falls evenly on all of
+// it. A point inside the sphere of another object, for instance where objects touch, has half of its directions covered;
+// overlaps() reports it.
 #pragma once
 #include <Eigen/Core>
 #include <functional>

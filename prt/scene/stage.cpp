@@ -54,22 +54,37 @@ Sphere read_proxy(const JsonReader& reader, const Sphere& otherwise) {
   return sphere;
 }
 
-using Transfers = std::map<std::string, std::shared_ptr<const Transfer>>;
+/// Transfer files, each read once.
+struct Transfers {
+  using Files = std::map<std::string, std::shared_ptr<const Transfer>>;
+  Files surfaces;
+  Files volumes;
+};
+
+std::shared_ptr<const Transfer> read_once(const std::string& file, TransferKinds kinds, Transfers::Files& known) {
+  auto& transfer = known[file];
+  if (!transfer) transfer = std::make_shared<const Transfer>(read_transfer(file, kinds));
+  return transfer;
+}
 
 StageObject read_object(const JsonReader& reader, const std::string& folder, Transfers& transfers) {
-  reader.allow({"transfer", "position", "rotate", "move", "proxy", "light_at"});
+  reader.allow({"transfer", "volume", "position", "rotate", "move", "proxy", "light_at"});
   StageObject object;
   object.name = reader.at("transfer").text();
   object.motion = read_motion(reader);
   const auto light_at = reader.find("light_at");
   object.per_vertex = light_at && light_at->one_of({"center", "vertices"}) == "vertices";
-  auto& transfer = transfers[beside(folder, object.name)];
-  if (!transfer) transfer = std::make_shared<const Transfer>(read_transfer(beside(folder, object.name)));
-  object.transfer = transfer;
-  if (object.per_vertex && transfer->shape.channels != 1) {
+  object.transfer = read_once(beside(folder, object.name), transfer_kinds(), transfers.surfaces);
+  if (object.per_vertex && object.transfer->shape.channels != 1) {
     light_at->expected("`center` for transfer with bounces, which needs one light for the whole object");
   }
-  object.proxy = bounding_sphere(transfer->mesh);
+  if (const auto volume = reader.find("volume")) {
+    object.volume = read_once(beside(folder, volume->text()), volume_kinds(), transfers.volumes);
+    if (object.volume->kind != &kNeighborhood) {
+      volume->expected("the space around an object, of kind N (`prt volume` makes it)");
+    }
+  }
+  object.proxy = bounding_sphere(object.transfer->mesh);
   reader.take("proxy", object.proxy, read_proxy, object.proxy);
   return object;
 }
@@ -120,7 +135,9 @@ Stage load_stage(const std::string& file, const std::string& transfers_folder) {
   for (const JsonReader& object : objects.items()) {
     stage.objects.push_back(read_object(object, transfers_folder.empty() ? folder : transfers_folder, transfers));
   }
-  for (const auto& [name, transfer] : transfers) stage.files.push_back(name);
+  for (const auto* files : {&transfers.surfaces, &transfers.volumes}) {
+    for (const auto& [name, transfer] : *files) stage.files.push_back(name);
+  }
   for (const LightSpec& light : stage.lights) stage.files.push_back(light.file);
   if (stage.objects.empty()) objects.expected("at least one object");
   return stage;

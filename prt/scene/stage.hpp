@@ -43,7 +43,9 @@ struct StageObject {
   std::string name;  // for messages: the path of the transfer file as written in the stage
   std::shared_ptr<const Transfer> transfer;
   Motion motion;
-  Sphere proxy;             // in the object's axes; it blocks the light of other objects; a radius of 0 blocks nothing
+  Sphere proxy;  // in the object's axes; it blocks the light of other objects; a radius of 0 blocks nothing
+  /// The space around the object, in its axes: it blocks the light of other objects in place of the proxy. Null: none.
+  std::shared_ptr<const Transfer> volume;
   bool per_vertex = false;  // true: light is gathered at every vertex; false: once, at the proxy's center
 };
 

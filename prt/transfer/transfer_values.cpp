@@ -28,6 +28,9 @@ constexpr float kMaxReflectance = 1000.0F;  // no limit of nature, but far above
 
 bool is_exponent(float value) { return value >= 0.0F && value <= kMaxExponent; }
 
+// Of a function from 0 to 1 none exceeds sqrt(4 pi).
+bool is_of_visibility(float value) { return std::abs(value) <= 4.0F; }
+
 bool names_vertices(const Mesh& mesh) {
   const auto is_vertex = [&](std::uint32_t v) { return v < mesh.positions.size(); };
   return all(mesh.faces, [&](const Face& face) { return all(face, is_vertex); }) &&
@@ -91,6 +94,9 @@ std::string flaw_of_values(const Transfer& transfer) {
   if (!all(transfer.coefficients, [](float value) { return std::isfinite(value); }) ||
       !all(transfer.indirect, [](float value) { return std::isfinite(value); }) || !all(transfer.emitted, is_finite)) {
     return "a transfer coefficient is not finite";
+  }
+  if (transfer.grid && transfer.shape.meets == Meets::kOperator && !all(transfer.coefficients, is_of_visibility)) {
+    return "a coefficient of a visibility is not from -4 to 4";
   }
   const std::string flaw = flaw_of(transfer.clusters);
   return flaw.empty() ? flaw_of(transfer.indirect_clusters) : flaw;

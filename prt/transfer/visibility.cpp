@@ -2,8 +2,11 @@
 
 #include <oneapi/tbb/blocked_range.h>
 
+#include <algorithm>
+
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/transfer_prepare.hpp"
+#include "prt/arrays.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 
@@ -13,6 +16,7 @@ namespace {
 
 constexpr std::size_t kChannels = 3;
 constexpr std::size_t kVerticesAtOnce = 2048;
+constexpr std::size_t kPaddedAtOnce = 256;  // that stay in the cache beside their copies
 
 }  // namespace
 
@@ -37,6 +41,39 @@ void times_visibility(int degree, std::size_t vertices, const float* visibility,
   in_parallel(tbb::blocked_range<std::size_t>(0, vertices, kVerticesAtOnce), [&](const auto& range) {
     batch::transfer_apply_rgb(degree, range.size(), batch::plain(visibility + range.begin() * in_length),
                               prepared.data(), batch::plain(out + range.begin() * out_length));
+  });
+}
+
+// The kernels have one degree for light and result, and twice as much for the visibility: zeros fill it up, and the bands
+// above the result are left out.
+void transfer_light(const TransferShape& shape, std::size_t receivers, const float* visibility,
+                    const std::vector<float>& light, float* out) {
+  const int degree = std::max(shape.degree, shape.result_degree);
+  const std::size_t given = coefficient_count(shape.degree);
+  std::vector<float> wide(kChannels * coefficient_count(degree));
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    std::copy_n(light.begin() + static_cast<std::ptrdiff_t>(c * given), given, &wide[c * coefficient_count(degree)]);
+  }
+  const std::vector<float> prepared = prepared_light(degree, wide.data());
+  if (shape.degree == shape.result_degree) return times_visibility(degree, receivers, visibility, prepared, out);
+  const std::size_t columns = shape.columns();
+  const std::size_t padded = coefficient_count(2 * degree);
+  const std::size_t bands = coefficient_count(degree);
+  const std::size_t kept = coefficient_count(shape.result_degree);
+  in_parallel(tbb::blocked_range<std::size_t>(0, receivers, kPaddedAtOnce), [&](const auto& all) {
+    std::vector<float> seen(kPaddedAtOnce * padded);
+    std::vector<float> lit(kept < bands ? kPaddedAtOnce * kChannels * bands : 0);
+    for (std::size_t first = all.begin(); first < all.end(); first += kPaddedAtOnce) {
+      const std::size_t count = std::min(kPaddedAtOnce, all.end() - first);
+      for (std::size_t v = 0; v < count; ++v) {
+        std::copy_n(visibility + (first + v) * columns, columns, &seen[v * padded]);
+      }
+      float* to = lit.empty() ? out + first * kChannels * bands : lit.data();
+      batch::transfer_apply_rgb(degree, count, batch::plain(seen.data()), prepared.data(), batch::plain(to));
+      for (std::size_t row = 0; row < (lit.empty() ? 0 : count * kChannels); ++row) {
+        std::copy_n(&lit[row * bands], kept, out + (first * kChannels + row) * kept);
+      }
+    }
   });
 }
 

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "prt/transfer/shape.hpp"
+
 namespace sh::prt {
 
 /// A light (3, bands^2) of this degree as `times_visibility` takes it. Precondition: 0 <= degree <= kHighestProduct.
@@ -13,5 +15,11 @@ std::vector<float> prepared_light(int degree, const float* light);
 /// on one instruction set (generated/batch/records.hpp).
 void times_visibility(int degree, std::size_t vertices, const float* visibility, const std::vector<float>& prepared,
                       float* out);
+
+/// The same where light and result may have different degrees, by a shape that meets the light by `operator`:
+/// out (receivers, 3, (result_degree+1)^2) = visibility (receivers, shape.columns()) times light (3, (degree+1)^2).
+/// Precondition: both degrees are 0 to kHighestProduct.
+void transfer_light(const TransferShape& shape, std::size_t receivers, const float* visibility,
+                    const std::vector<float>& light, float* out);
 
 }  // namespace sh::prt

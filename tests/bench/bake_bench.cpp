@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "prt/bake/bake.hpp"
+#include "prt/bake/bake_volume.hpp"
 #include "prt/bake/bounces.hpp"
 #include "prt/bake/glossy_bounces.hpp"
 #include "prt/bake/shadow_pass.hpp"
@@ -54,7 +55,7 @@ double processor_seconds(const Work& work) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-// Every kVertexStep-th vertex, in groups: short enough that some pass meets each undisturbed.
+// Every kVertexStep-th receiver, in groups: short enough that some pass meets each undisturbed.
 struct Group {
   std::vector<std::size_t> vertices;
   std::vector<std::vector<ShadowRay>> rays;  // that a gatherer makes of each
@@ -62,9 +63,9 @@ struct Group {
   double baked = std::numeric_limits<double>::max();
 };
 
-std::vector<Group> groups_of(const Mesh& mesh, Gatherer& gatherer) {
+std::vector<Group> groups_of(std::size_t receivers, Gatherer& gatherer) {
   std::vector<Group> groups;
-  for (std::size_t v = 0; v < mesh.positions.size(); v += kVertexStep) {
+  for (std::size_t v = 0; v < receivers; v += kVertexStep) {
     if (v % (kVertexStep * kGroup) == 0) groups.emplace_back();
     groups.back().vertices.push_back(v);
     groups.back().rays.push_back(gatherer.rays(v));
@@ -81,13 +82,9 @@ void trace(const Tracer& tracer, std::vector<std::vector<ShadowRay>>& rays) {
 }
 
 // `traced` is nothing but Embree over prebuilt, culled rays; `baked` makes the same rays, traces and sums them.
-void rays_at(Table& table, const TransferKind& kind, int degree, double target) {
-  Scene scene = load_scene("demo", OnFlaw::kMend);
-  scene.bake.degree = degree;
-  scene.bake.kind = &kind;
-  const RaySetup setup(scene.mesh, scene.bake, 1, "");
-  Gatherer gatherer(scene.mesh, setup.starts, setup.tracer, setup.directions);
-  std::vector<Group> groups = groups_of(scene.mesh, gatherer);
+void rays_of(Table& table, const std::string& what, const RaySetup& setup, double target) {
+  Gatherer gatherer(setup.mesh, setup.starts, setup.tracer, setup.directions);
+  std::vector<Group> groups = groups_of(setup.starts.size(), gatherer);
   float sum = 0.0F;
   for (int pass = 0; pass < kPasses; ++pass) {
     for (Group& group : groups) {
@@ -108,8 +105,29 @@ void rays_at(Table& table, const TransferKind& kind, int degree, double target) 
     for (const auto& vertex : group.rays) count += vertex.size();
   }
   const double nano = 1e9 / static_cast<double>(count);
-  table.ratio(std::string(kind.letters) + ", degree " + std::to_string(degree), "ns/ray", baked * nano, traced * nano,
-              "tracing alone", target);
+  table.ratio(what, "ns/ray", baked * nano, traced * nano, "tracing alone", target);
+}
+
+void rays_at(Table& table, const TransferKind& kind, int degree, double target) {
+  Scene scene = load_scene("demo", OnFlaw::kMend);
+  scene.bake.degree = degree;
+  scene.bake.kind = &kind;
+  const RaySetup setup(scene.mesh, scene.bake, 1, "");
+  rays_of(table, std::string(kind.letters) + ", degree " + std::to_string(degree), setup, target);
+}
+
+// The space around the embedded scene: 64 x 64 x 8 points in its default box, 49 numbers each.
+void rays_around(Table& table) {
+  const Scene scene = load_scene("demo", OnFlaw::kMend);
+  const VolumeOptions options;
+  const PointGrid grid{box_around(scene.mesh), options.counts};
+  std::vector<RayStart> points;
+  for (std::size_t p = 0; p < grid.points(); ++p) {
+    points.push_back({scene.mesh.frame.local(grid.point(p)).cast<float>(), 0.0F, true});
+  }
+  const BakeOptions bake{.degree = options.degree, .directions = options.directions, .kind = &kNeighborhood};
+  const RaySetup setup(scene.mesh, bake, kNeighborhood.shape(options.degree), std::move(points), 1, "");
+  rays_of(table, "N, degree 2 to 4", setup, kOfTracingGlossy);
 }
 
 void rays(Table& table) {
@@ -118,6 +136,7 @@ void rays(Table& table) {
   rays_at(table, kShadowed, 4, kOfTracing);
   rays_at(table, kShadowed, 10, kOfTracing);
   rays_at(table, kGlossyShadowed, 4, kOfTracingGlossy);
+  rays_around(table);
 }
 
 void bounces(Table& table) {

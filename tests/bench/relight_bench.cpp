@@ -7,6 +7,7 @@
 #include <string>
 
 #include "prt/runtime/light_at_rest.hpp"
+#include "prt/runtime/neighborhood.hpp"
 #include "prt/runtime/relight.hpp"
 #include "tests/bench/harness.hpp"
 
@@ -16,9 +17,12 @@ using sh::bench::Buffer;
 using sh::bench::Table;
 using sh::prt::kGlossyShadowed;
 using sh::prt::kInterreflected;
+using sh::prt::kNeighborhood;
 using sh::prt::kShadowed;
 using sh::prt::LightAtRest;
 using sh::prt::LightCoefficients;
+using sh::prt::PointGrid;
+using sh::prt::shade_diffuse;
 using sh::prt::Transfer;
 using sh::prt::TransferKind;
 using sh::prt::TransferredRadiance;
@@ -28,16 +32,21 @@ constexpr double kMilli = 1e3;
 constexpr std::size_t kFloats = 25'000'000;  // transfer of a case: 100 MB
 constexpr int kPasses = 25;
 
+std::vector<float> made_up_numbers(std::size_t count) {
+  std::vector<float> numbers(count);
+  float value = 0.0F;
+  for (float& number : numbers) {
+    value = value > 1.0F ? -0.9F : value + 0.013F;
+    number = value;
+  }
+  return numbers;
+}
+
 Transfer made_up_transfer(const TransferKind* kind, int degree, std::size_t vertices) {
   Transfer transfer = Transfer::of(*kind, degree);
   transfer.mesh.positions.resize(vertices, Eigen::Vector3f::Zero());
   transfer.mesh.albedo.resize(vertices, Eigen::Vector3f(0.25F, 0.5F, 0.75F));
-  transfer.coefficients.resize(vertices * transfer.shape.length());
-  float value = 0.0F;
-  for (float& coefficient : transfer.coefficients) {
-    value = value > 1.0F ? -0.9F : value + 0.013F;
-    coefficient = value;
-  }
+  transfer.coefficients = made_up_numbers(vertices * transfer.shape.length());
   return transfer;
 }
 
@@ -138,6 +147,40 @@ void glossy(Table& table) {
   table.ratio("view at rest: DI, 3 x 25 coefficients", "ns", rows.ours * row_ns, rows.limit * row_ns, "memory", 1.25);
 }
 
+// Around an object: all points under a light of degree 2, and diffuse receivers between them, spread as the vertices of
+// a mesh are: neighbors follow each other.
+void around(Table& table) {
+  constexpr std::size_t kReceivers = 100'000;
+  Transfer volume = Transfer::of(kNeighborhood, 2);
+  volume.grid = PointGrid{{Eigen::Vector3d(-1.0, -1.0, -1.0), Eigen::Vector3d(1.0, 1.0, 1.0)}, {64, 64, 8}};
+  const std::size_t points = volume.receivers();
+  volume.coefficients = made_up_numbers(points * volume.shape.length());
+  const LightCoefficients light = made_up_light(2, false);
+  TransferredRadiance reaching(volume, light);
+  std::vector<Eigen::Vector3f> positions(kReceivers);
+  std::vector<Eigen::Vector3f> normals(kReceivers);
+  for (std::size_t v = 0; v < kReceivers; ++v) {
+    constexpr std::size_t kRow = 316;
+    const float x = 2.0F * static_cast<float>(v % kRow) / kRow - 1.0F;
+    const float y = 2.0F * static_cast<float>(v / kRow) / (kRow + 1) - 1.0F;
+    positions[v] = {x, y, 0.3F * x * y - 0.2F};
+    normals[v] = Eigen::Vector3f(-0.3F * y, -0.3F * x, 1.0F).normalized();
+  }
+  std::vector<Eigen::Vector3f> radiance(kReceivers);
+  const std::size_t inputs = volume.coefficients.size();
+  const std::size_t outputs = points * 75;
+  const Buffer<float> in = sh::bench::make_buffer<float>(inputs, 1.0F);
+  const Buffer<float> out = sh::bench::make_buffer<float>(outputs);
+  const std::vector<double> t =
+      sh::bench::least_times({[&] { reaching.meet(volume, light); },
+                              [&] { shade_diffuse(*volume.grid, reaching, positions, normals, radiance); },
+                              sh::bench::stream_task(in.get(), inputs, out.get(), outputs, false)},
+                             kPasses);
+  table.figure("64 x 64 x 8 points, light of degree 2, result of degree 4, RGB", "ms", t[0] * kMilli, 1.2);
+  table.remark("  reading and writing as much takes " + std::to_string(t[2] * kMilli) + " ms");
+  table.figure("diffuse receivers between them, 100k vertices", "ms", t[1] * kMilli, 5.0);
+}
+
 }  // namespace
 
 int main() {
@@ -149,6 +192,8 @@ int main() {
   others(table);
   table.section("Glossy transfer, one core", "control: light and eye free, in the same run");
   glossy(table);
+  table.section("Around an object, one core", "light and volume of one frame");
+  around(table);
   table.summary();
   return 0;
 }

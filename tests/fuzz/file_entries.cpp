@@ -30,20 +30,26 @@ void require_description(const nlohmann::json& header, const Transfer& transfer)
   Transfer described;
   described.mesh = transfer.mesh;
   described.emitted = transfer.emitted;
-  take_header(header, layout::kVersion, transfer_kinds(), described);
+  take_header(header, layout::kVersion, file_kinds(), described);
   require(transfer_header(described) == transfer_header(transfer), "a header reads back");
 }
 
 // What is accepted can be described, and be lit where all its columns are there.
 void read_and_light(const std::string& file) {
-  const Transfer transfer = read_transfer(file);
+  const Transfer transfer = read_transfer(file, file_kinds());
   const auto header = output::parse_json<nlohmann::json>(transfer_header(transfer));
   require_description(header, transfer);
-  require(header.at("vertices") == transfer.mesh.positions.size(), "the header counts the vertices");
+  require(transfer.grid || header.at("vertices") == transfer.mesh.positions.size(), "the header counts the vertices");
   require(std::all_of(transfer.coefficients.begin(), transfer.coefficients.end(), is_finite),
           "coefficients are finite");
   LightCoefficients light = LightCoefficients::zero(transfer.degree());
   for (int channel = 0; channel < 3; ++channel) light.at(channel, 0) = 1.0;
+  if (transfer.grid) {
+    std::vector<float> between(3 * coefficient_count(kMaxDegree));
+    const TransferredRadiance reaching(transfer, light);
+    reaching.at(GridCell(*transfer.grid, transfer.grid->box.center()), between.data());
+    return;
+  }
   const std::size_t lit =
       transfer.kind->is_glossy()
           ? exit_radiance(transfer, TransferredRadiance(transfer, light), {0.0, 0.0, 9.0}, transfer.mesh.albedo).size()

@@ -59,8 +59,10 @@ TEST(PointGrid, SaysWhatIsWrongWithItsBoxAndCounts) {
   EXPECT_EQ(flaw([](PointGrid&) {}), "");
   for (const double bad : {kNan, kInfinity, -kInfinity, 1.1e30}) {
     for (int axis = 0; axis < 3; ++axis) {
-      EXPECT_NE(flaw([&](PointGrid& g) { g.box.max()[axis] = bad; }).find("three sides above 0"), std::string::npos) << bad;
-      EXPECT_NE(flaw([&](PointGrid& g) { g.box.min()[axis] = bad; }).find("three sides above 0"), std::string::npos) << bad;
+      EXPECT_NE(flaw([&](PointGrid& g) { g.box.max()[axis] = bad; }).find("three sides above 0"), std::string::npos)
+          << bad;
+      EXPECT_NE(flaw([&](PointGrid& g) { g.box.min()[axis] = bad; }).find("three sides above 0"), std::string::npos)
+          << bad;
     }
   }
   EXPECT_NE(flaw([](PointGrid& g) { g.box.max().y() = g.box.min().y(); }), "");
@@ -196,6 +198,20 @@ TEST_F(GridFile, IsRefusedWithSectionsOfAMesh) {
   std::memcpy(bytes.data() + place_of(bytes, "transfer"), &bad, sizeof bad);
   write_all(file_, with_checksums(bytes));
   EXPECT_EQ(refusal(), file_ + ": damaged transfer file: a transfer coefficient is not finite");
+}
+
+TEST_F(GridFile, IsRefusedWithNumbersThatAreNoVisibility) {
+  Transfer volume = small_volume();
+  for (const float limit : {4.0F, -4.0F}) {
+    volume.coefficients[11] = limit;
+    write_transfer(file_, volume);
+    EXPECT_EQ(refusal(), "");
+    std::string bytes = read_all(file_);
+    const float beyond = std::nextafter(limit, 9.0F * limit);
+    std::memcpy(bytes.data() + place_of(bytes, "transfer"), &beyond, sizeof beyond);
+    write_all(file_, with_checksums(bytes));
+    EXPECT_EQ(refusal(), file_ + ": damaged transfer file: a coefficient of a visibility is not from -4 to 4");
+  }
 }
 
 TEST_F(GridFile, IsRefusedInOneLineWithAnyOneByteChangedOrMissing) {

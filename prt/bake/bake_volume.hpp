@@ -1,0 +1,56 @@
+// Bakes the space around an object [SloanKautzSnyder02, section 8]: the visibility of every point of a grid, by the rays of
+// a shadowed bake over the whole sphere. A point far from the object keeps the whole sphere to the bit. A point inside a
+// solid sees backs of faces only; it takes the mean of the points around it that lie outside (prt/bake/fill_closed.hpp),
+// so that no darkness of the inside leaks through interpolation. Points whose neighbors are all inside stay dark: no
+// receiver outside meets them.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "prt/bake/bake.hpp"
+#include "prt/transfer/point_grid.hpp"
+
+namespace sh::prt {
+
+struct VolumeOptions {
+  std::array<std::uint32_t, 3> counts = {64, 64, 8};
+  std::optional<Eigen::AlignedBox3d> box = {};  // default: box_around()
+  int degree = 2;                               // of the light, 0..kHighestProduct
+  int result_degree = 4;                        // of the radiance that reaches a point, 0..kHighestProduct
+  int directions = 2048;                        // over the sphere
+  Sampler sampler = Sampler::kFibonacci;        // not the cosine
+  std::uint32_t seed = 0;
+  Element element = Element::kSingle;  // of the file
+  double memory = 0.0;                 // bytes that the bake may take; 0: those of the machine
+};
+
+/// The parts of the radius of the object's bounding sphere by which the default box exceeds the object on every side. A
+/// sphere at its distance blocks 0.028 of the directions.
+inline constexpr double kBoxMargin = 2.0;
+
+/// The box around a mesh, in the world, with this margin.
+Eigen::AlignedBox3d box_around(const Mesh& mesh);
+
+/// What a point of the grid tells of a volume.
+struct VolumeReport {
+  BakeReport bake;
+  std::size_t inside = 0;  // points inside solids; PointGrid::filled of them have numbers of points outside
+  double border = 0.0;     // the largest part of the sphere that the object blocks at a side of the box
+};
+
+/// The transfer of kind N of the points around the scene's meshes; lights, materials and the scene's bake are not used.
+/// Mirrors block rays. The same bits for any number of threads. Throws std::invalid_argument for options out of range, a
+/// box without sides or that does not contain the meshes, or more memory than there is, with the counts that fit; and
+/// like bake() for the rest: progress, interruption, checkpoint.
+Transfer bake_volume(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings,
+                     VolumeReport* report = nullptr, const BakeObserver& say = {});
+
+/// Bakes into a transfer file, then deletes the checkpoint.
+Transfer bake_volume_to_file(const std::string& file, const Scene& scene, const VolumeOptions& options,
+                             const BakeSettings& settings, VolumeReport* report = nullptr,
+                             const BakeObserver& say = {});
+
+}  // namespace sh::prt

@@ -1,0 +1,50 @@
+#include "prt/transfer/grid_cell.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "prt/rays/widest.hpp"
+
+namespace sh::prt {
+
+namespace {
+
+using Rows = std::array<const float*, 8>;
+
+SHFORGE_WIDEST void mix_rows(const Rows& rows, const std::array<float, 8>& w, std::size_t length,
+                             float* __restrict out) {
+  for (std::size_t i = 0; i < length; ++i) {
+    const float low = (w[0] * rows[0][i] + w[1] * rows[1][i]) + (w[2] * rows[2][i] + w[3] * rows[3][i]);
+    const float high = (w[4] * rows[4][i] + w[5] * rows[5][i]) + (w[6] * rows[6][i] + w[7] * rows[7][i]);
+    out[i] = low + high;
+  }
+}
+
+}  // namespace
+
+GridCell::GridCell(const PointGrid& grid, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d parts = (point - grid.box.min()).cwiseQuotient(grid.box.sizes());
+  std::array<std::uint32_t, 3> first{};
+  std::array<double, 3> part{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double last = grid.counts[axis] - 1.0;
+    const double step = std::clamp(last * parts[static_cast<Eigen::Index>(axis)], 0.0, last);
+    first[axis] = std::min(static_cast<std::uint32_t>(step), grid.counts[axis] - 2);
+    part[axis] = step - first[axis];
+  }
+  for (std::uint32_t corner = 0; corner < corners.size(); ++corner) {
+    const std::array<std::uint32_t, 3> side = {corner & 1U, (corner >> 1U) & 1U, corner >> 2U};
+    double weight = 1.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) weight *= side[axis] == 1 ? part[axis] : 1.0 - part[axis];
+    corners[corner] = grid.index({first[0] + side[0], first[1] + side[1], first[2] + side[2]});
+    weights[corner] = static_cast<float>(weight);
+  }
+}
+
+void GridCell::mix(const float* rows, std::size_t length, float* out) const {
+  Rows of{};
+  for (std::size_t corner = 0; corner < of.size(); ++corner) of[corner] = rows + corners[corner] * length;
+  mix_rows(of, weights, length, out);
+}
+
+}  // namespace sh::prt
