@@ -62,8 +62,7 @@ class GlslEmitter {
                       "shader of vertices",
                       transfer_.kind->letters));
     }
-    const auto is_mixed = [&mesh](const Face& face) { return !has_one_finish(mesh, face); };
-    if (std::any_of(mesh.faces.begin(), mesh.faces.end(), is_mixed)) {
+    if (!has_one_finish(mesh)) {
       throw std::invalid_argument(
           "some of its faces have several BRDFs or lobes, between which a pixel cannot choose; expected one material a "
           "face, or the shader of vertices");
@@ -145,7 +144,7 @@ class GlslEmitter {
     if (per_pixel_) add_pixels();
     add_exit(per_pixel_ ? pixel_ : relight_);
     relight_.texts.emplace_back(per_pixel_ ? "glossy_pixels.vert" : "glossy_relight.vert");
-    if (per_pixel_) pixel_.texts.emplace_back("glossy.frag");
+    if (per_pixel_) pixel_.texts.insert(pixel_.texts.end(), {"glossy_pixel.glsl", "glossy.frag"});
   }
 
   // What leaves a place.
@@ -169,18 +168,15 @@ class GlslEmitter {
     relight_.define("BETWEEN", "out");
     pixel_.define("BETWEEN", "in");
     if (!transfer_.emitted.empty()) define("EMITTED");
-    const bool is_uniform = transfer_.shape.meets == Meets::kNothing;
-    const std::size_t carried = is_uniform ? 0 : (3 * coefficient_count(transfer_.degree()) + 3) / 4;
-    if (is_uniform) {
+    const std::size_t carried = vectors_carried(transfer_);
+    if (carried == 0) {
       pixel_.texts.emplace_back("glossy_light.glsl");
     } else {
       relight_.define("CARRIED", carried);
       pixel_.define("CARRIED", carried);
     }
-    constexpr std::size_t kOthers = 6;  // position, normal, albedo, lobe, BRDF, emitted
-    constexpr std::size_t kOfMaps = 3;
     const bool has_maps = !transfer_.mesh.normal_map.empty();
-    const std::size_t vectors = carried + kOthers + (has_maps ? kOfMaps : 0);
+    const std::size_t vectors = vectors_between(transfer_);
     if (vectors > kInterpolated) {
       throw std::invalid_argument(
           fmt::format("its vertices hand {} 4-vectors on to pixels, of which graphics cards take {}; expected a lower "
@@ -205,22 +201,7 @@ class GlslEmitter {
     const ShadingNormals normals(mesh);
     data_.add_attribute("tangent", 10, normals.tangents(false));
     data_.add_attribute("mirrored_tangent", 11, normals.tangents(true));
-    std::vector<std::size_t> first{0};
-    std::vector<int> width;
-    std::vector<int> height;
-    for (const NormalMaps::Head& head : mesh.normal_maps.heads) {
-      width.push_back(head.width);
-      height.push_back(head.height);
-      first.push_back(first.back() + static_cast<std::size_t>(head.width) * static_cast<std::size_t>(head.height));
-    }
-    first.pop_back();
-    const auto numbers = [this](std::string_view name, const auto& values) {
-      pixel_.functions +=
-          fmt::format("\nconst int {0}[{1}] = int[{1}]({2});\n", name, values.size(), fmt::join(values, ", "));
-    };
-    numbers("map_first", first);
-    numbers("map_width", width);
-    numbers("map_height", height);
+    pixel_.functions.append("\n").append(places_of_maps(mesh.normal_maps));
     data_.add_texture("normals", Element::kHalf, mesh.normal_maps.texels.data(),
                       mesh.normal_maps.texels.size() * sizeof(Eigen::half));
     pixel_.texts.emplace_back("normal_maps.glsl");
@@ -290,8 +271,7 @@ class GlslEmitter {
   [[nodiscard]] std::string text(const Shader& shader) const {
     std::string all = es_ ? "#version 300 es\n" : "#version 450 core\n";
     all += emitted_comment(transfer_, rows_, kernels_.cost());
-    if (es_) all += "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
-    all.append(shader.functions).append("\n").append(shader.defines);
+    all.append(emitted_text("numbers.glsl")).append(shader.functions).append("\n").append(shader.defines);
     for (const std::string_view file : shader.texts) all.append(emitted_text(file));
     return all;
   }

@@ -10,6 +10,7 @@
 
 #include "numeric/oracle/zonal.hpp"
 #include "prt/material/reflectance.hpp"
+#include "prt/runtime/glossy.hpp"
 #include "prt/runtime/shader_texts.hpp"
 #include "prt/zonal.hpp"
 
@@ -36,8 +37,8 @@ class ShaderWriter {
   [[nodiscard]] std::string text(const Transfer& transfer) const {
     return fmt::format(
         "#version 300 es\n// Relights transfer {} of degree {} from the numbers of its file.\n"
-        "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n{}\n{}{}",
-        transfer.kind->letters, transfer.degree(), functions_, defines_, texts_);
+        "#define PACKED\n{}{}\n{}{}",
+        transfer.kind->letters, transfer.degree(), shader_text("numbers.glsl"), functions_, defines_, texts_);
   }
 
  private:
@@ -52,8 +53,15 @@ class FileShadersWriter {
     relight_.define("COUNT", coefficient_count(transfer.degree()));
   }
 
-  FileShaders run() {
-    transfer_.kind->is_glossy() ? add_glossy() : add_diffuse();
+  FileShaders run(bool has_pixels) {
+    if (transfer_.kind->is_glossy()) {
+      add_glossy();
+      if (has_pixels) add_pixels();
+      add_exit(relight_);
+      relight_.add("glossy_relight.vert");
+    } else {
+      add_diffuse();
+    }
     shaders_.relight = relight_.text(transfer_);
     return std::move(shaders_);
   }
@@ -131,11 +139,42 @@ class FileShadersWriter {
     }
     if (meets_light) relight_.add("glossy_light.glsl");
     if (!shaders_.lit.empty()) relight_.add("clusters.glsl");
+    relight_.define("LOBES", 1);
+    if (!transfer_.mesh.brdfs.heads.empty()) relight_.define("BRDFS", 1);
     relight_.add("glossy.vert");
-    relight_.add("exit.glsl");
-    add_surfaces();
-    relight_.add("exit_radiance.glsl");
-    relight_.add("glossy_relight.vert");
+  }
+
+  /// The two shaders of pixels, from what the vertex shader has so far.
+  void add_pixels() {
+    ShaderWriter vertex = relight_;
+    ShaderWriter pixel;
+    pixel.define("COUNT", coefficient_count(transfer_.degree()));
+    pixel.define("LOBES", 1);
+    if (!transfer_.mesh.brdfs.heads.empty()) pixel.define("BRDFS", 1);
+    vertex.define("BETWEEN", "out");
+    pixel.define("BETWEEN", "in");
+    const auto both = [&](std::string_view name, std::size_t value) {
+      vertex.define(name, value);
+      pixel.define(name, value);
+    };
+    if (!transfer_.emitted.empty()) both("EMITTED", 1);
+    if (const std::size_t carried = vectors_carried(transfer_); carried > 0) {
+      both("CARRIED", carried);
+    } else {
+      pixel.add("glossy_light.glsl");
+    }
+    const bool has_maps = !transfer_.mesh.normal_map.empty();
+    if (has_maps) both("MAPS", 1);
+    vertex.add("pixels.glsl");
+    vertex.add("glossy_pixels.vert");
+    pixel.add("pixels.glsl");
+    if (has_maps) {
+      pixel.declare(places_of_maps(transfer_.mesh.normal_maps));
+      pixel.add("normal_maps.glsl");
+    }
+    add_exit(pixel);
+    pixel.add("glossy_pixel.glsl");
+    shaders_.pixels = PixelShaders{vertex.text(transfer_), pixel.text(transfer_), vectors_between(transfer_)};
   }
 
   void add_visibility(ShaderWriter& shader) const {
@@ -157,24 +196,26 @@ class FileShadersWriter {
     shader.use("MATRIX_ROW", matrices.channels == 3 ? "relight_colored" : "relight_rgb", matrices.degree);
   }
 
-  void add_surfaces() {
+  /// What leaves a place.
+  void add_exit(ShaderWriter& shader) const {
     const int degree = transfer_.degree();
-    relight_.define("LOBES", 1);
-    relight_.use("GATHER", "relight_rgb", degree);
-    relight_.define("BANDS", degree + 1);
+    shader.add("exit.glsl");
+    shader.use("GATHER", "relight_rgb", degree);
+    shader.define("BANDS", degree + 1);
     std::vector<double> cosine;
     for (int l = 0; l <= degree; ++l) {
       cosine.push_back(zonal_unit(l) * numeric::clamped_cosine_factor<double>(l) / std::numbers::pi);
     }
-    relight_.define("COSINE", fmt::format("float[{}]({:.9e})", cosine.size(), fmt::join(cosine, ", ")));
-    relight_.use("ZONAL", "zonal", degree);
-    relight_.add("lobes.glsl");
-    if (transfer_.mesh.brdfs.heads.empty()) return;
-    relight_.define("BRDFS", 1);
-    relight_.define("VIEWS", kViews);
-    relight_.define("EVEN", even_count(degree));
-    relight_.use("ROTATE", "rotate", degree);
-    relight_.add("brdfs.glsl");
+    shader.define("COSINE", fmt::format("float[{}]({:.9e})", cosine.size(), fmt::join(cosine, ", ")));
+    shader.use("ZONAL", "zonal", degree);
+    shader.add("lobes.glsl");
+    if (!transfer_.mesh.brdfs.heads.empty()) {
+      shader.define("VIEWS", kViews);
+      shader.define("EVEN", even_count(degree));
+      shader.use("ROTATE", "rotate", degree);
+      shader.add("brdfs.glsl");
+    }
+    shader.add("exit_radiance.glsl");
   }
 
   const Transfer& transfer_;
@@ -184,6 +225,33 @@ class FileShadersWriter {
 
 }  // namespace
 
+std::size_t vectors_carried(const Transfer& transfer) {
+  const bool is_uniform = transfer.shape.meets == Meets::kNothing;
+  return is_uniform ? 0 : (3 * coefficient_count(transfer.degree()) + 3) / 4;
+}
+
+std::size_t vectors_between(const Transfer& transfer) {
+  constexpr std::size_t kOthers = 6;  // position, normal, albedo, lobe, BRDF, emitted
+  constexpr std::size_t kOfMaps = 3;
+  return vectors_carried(transfer) + kOthers + (transfer.mesh.normal_map.empty() ? 0 : kOfMaps);
+}
+
+std::string places_of_maps(const NormalMaps& maps) {
+  std::vector<std::size_t> first{0};
+  std::vector<int> width;
+  std::vector<int> height;
+  for (const NormalMaps::Head& head : maps.heads) {
+    width.push_back(head.width);
+    height.push_back(head.height);
+    first.push_back(first.back() + static_cast<std::size_t>(head.width) * static_cast<std::size_t>(head.height));
+  }
+  first.pop_back();
+  const auto constant = [](std::string_view name, const auto& values) {
+    return fmt::format("const int {0}[{1}] = int[{1}]({2});\n", name, values.size(), fmt::join(values, ", "));
+  };
+  return constant("map_first", first) + constant("map_width", width) + constant("map_height", height);
+}
+
 FileShaders file_shaders(const Transfer& transfer) {
   constexpr int kHighestInShaders = 4;  // generated/README.md
   if (transfer.kind->stores_visibility() && transfer.degree() > kHighestInShaders) {
@@ -192,7 +260,7 @@ FileShaders file_shaders(const Transfer& transfer) {
                     "degree, or `prt emit`",
                     transfer.scene, kHighestInShaders, transfer.degree()));
   }
-  return FileShadersWriter(transfer).run();
+  return FileShadersWriter(transfer).run(has_one_finish(transfer.mesh));
 }
 
 }  // namespace sh::prt

@@ -182,6 +182,11 @@ bool has_one_finish(const Mesh& mesh, const Face& face) {
   return is_one(mesh.brdf) && is_one(mesh.specular) && is_one(mesh.exponent);
 }
 
+bool has_one_finish(const Mesh& mesh) {
+  return std::all_of(mesh.faces.begin(), mesh.faces.end(),
+                     [&mesh](const Face& face) { return has_one_finish(mesh, face); });
+}
+
 Eigen::Vector3f exit_radiance(const Material& material, int degree, const float* reaching,
                               const Eigen::Vector3f& normal, const Eigen::Vector3f& to_eye) {
   Eigen::Vector3f radiance = Eigen::Vector3f::Zero();

@@ -51,6 +51,8 @@ Material material_of(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f
 
 /// Whether the corners of a face have one BRDF, or one lobe. Where they have several, radiance is interpolated between them.
 bool has_one_finish(const Mesh& mesh, const Face& face);
+/// Whether that is so of all faces.
+bool has_one_finish(const Mesh& mesh);
 
 /// Exit radiance, linear RGB, W m^-2 sr^-1, where `reaching` (3, bands^2) reaches a surface. `normal` and `to_eye` are
 /// unit. Slightly negative where a band-limited product rings.

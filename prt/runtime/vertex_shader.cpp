@@ -27,6 +27,7 @@ std::string vertex_shader(const TransferKind& kind, int degree, bool white, Shad
     out += fmt::format("#define CHANNELS {}\n#define KEPT_COUNT COUNT\n#define KEPT(k) (k)\n#define RELIGHT {}\n{}",
                        shape.channels, relight, shape.holds_albedo ? "" : "#define RECOLORABLE\n");
     return out.append(shader_text(relight + ".glsl"))
+        .append(shader_text("numbers.glsl"))
         .append(shader_text("row_sums.glsl"))
         .append(shader_text("relight_rows.vert"));
   }

@@ -3,9 +3,9 @@
 //
 // A vertex has the number 4 t + n: its n parts stand in the tables t, t + 1, ...; 1: white, 2: of the color of the albedo
 // and white, 3: red, green, blue; 0: no BRDF.
-uniform sampler2D tables;  // the section of this name of relight.bin, as `rows` is
+uniform sampler2D tables;  // numbers.glsl
 
-float table_number(int i) { return texelFetch(tables, ivec2(i % 2048, i / 2048), 0).r; }
+float table_number(int i) { return number_at(tables, i); }
 
 vec3 of_brdf(Place place, vec3 to_eye, float reaching[3 * COUNT]) {
     vec3 normal = place.normal;

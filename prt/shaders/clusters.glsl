@@ -8,7 +8,7 @@
 #ifdef CLUSTER_ROWS
 layout(location = 6) in float cluster;
 uniform sampler2D lit;
-uniform sampler2D weights;  // the section of this name of relight.bin, as `transfer` and `rows` are
+uniform sampler2D weights;  // of the vectors (numbers.glsl)
 #endif
 #ifdef MATRIX_CLUSTER_ROWS
 layout(location = 7) in float matrix_cluster;
@@ -21,7 +21,7 @@ void add_mixed(sampler2D from, int rows, float cluster_of_vertex, sampler2D weig
     int mean = int(cluster_of_vertex) * (1 + vectors);
     for (int k = 0; k <= vectors; ++k) {
         int w = gl_VertexID * vectors + k - 1;
-        float weight = k == 0 ? 1.0 : texelFetch(weights_of, ivec2(w % 2048, w / 2048), 0).r;
+        float weight = k == 0 ? 1.0 : number_at(weights_of, w);
         for (int four = 0; 4 * four < numbers; ++four) {
             int t = (four / part * rows + mean + k) * part + four % part;
             vec4 values = texelFetch(from, ivec2(t % 2048, t / 2048), 0);

@@ -1,30 +1,4 @@
 
-// A pixel of a glossy surface: the radiance between the vertices, met by the lobes of this place [SloanKautzSnyder02,
-// equation 12].
-uniform vec3 eye;  // in the coordinates of the mesh
-
 layout(location = 0) out vec4 radiance;  // linear; alpha 1
 
-void main() {
-    float reaching[3 * COUNT];
-#ifdef CARRIED
-    for (int i = 0; i < 3 * COUNT; ++i) reaching[i] = at_reaching[i / 4][i % 4];
-#else
-    direct(0, reaching);
-#endif
-    Place place = Place(unit(at_normal), at_albedo, vec3(0.0), 0.0, 0.0);
-#ifdef LOBES
-    place.specular = at_lobe.rgb;
-    place.exponent = at_lobe.a;
-#endif
-#ifdef BRDFS
-    place.brdf = at_brdf;
-#endif
-#ifdef MAPS
-    place.normal = mapped_normal(place.normal);
-#endif
-    radiance = vec4(exit_radiance(place, unit(eye - at_position), reaching), 1.0);
-#ifdef EMITTED
-    radiance.rgb += at_emitted;
-#endif
-}
+void main() { radiance = vec4(pixel_radiance(), 1.0); }

@@ -9,8 +9,7 @@ uniform vec3 light[COUNT];
 uniform vec4 samples[(3 * SAMPLES + 3) / 4];
 #endif
 #ifdef ROW
-// Number i of the section `rows` of relight.bin in column i % 2048 of row i / 2048. Nearest.
-uniform sampler2D rows;
+uniform sampler2D rows;  // numbers of visibility (numbers.glsl)
 #endif
 #ifdef MATRIX_CHANNELS
 uniform sampler2D matrices;  // the same of the section `matrices`
@@ -22,8 +21,7 @@ void direct(int row, out float reaching[3 * COUNT]) {
     float visibility[ROW];
     for (int k = 0; k < ROW; ++k) visibility[k] = 0.0;
     for (int k = 0; k < KEPT_COUNT; ++k) {
-        int i = row * KEPT_COUNT + k;
-        visibility[KEPT(k)] = texelFetch(rows, ivec2(i % 2048, i / 2048), 0).r;
+        visibility[KEPT(k)] = number_at(rows, row * KEPT_COUNT + k);
 #ifdef ROW_SCALE
         visibility[KEPT(k)] *= row_scale[k];
 #endif
@@ -53,7 +51,7 @@ void indirect(int number, out float sent[3 * MATRIX_ROWS]) {
         for (int c = 0; c < MATRIX_CHANNELS; ++c) {
             for (int k = 0; k < MATRIX_COLUMNS; ++k) {
                 int i = ((number * MATRIX_CHANNELS + c) * MATRIX_ROWS + row) * MATRIX_COLUMNS + k;
-                entries[c * MATRIX_COLUMNS + k] = texelFetch(matrices, ivec2(i % 2048, i / 2048), 0).r;
+                entries[c * MATRIX_COLUMNS + k] = number_at(matrices, i);
             }
         }
         float rgb[3];

@@ -1,16 +1,14 @@
 
 // The normal of a pixel from a map, in the frame of the surface: x the tangent, y on the side towards which v grows, z the
 // normal between the vertices. Above: map_first, the first texel of a map, map_width, map_height.
-uniform sampler2D normals;  // three numbers a texel, row by row from the top, one map after another; as `rows` is
-
-float normal_number(int i) { return texelFetch(normals, ivec2(i % 2048, i / 2048), 0).r; }
+uniform sampler2D normals;  // three numbers a texel of the map, row by row from the top, one map after another (numbers.glsl)
 
 // The maps repeat.
 vec3 texel_of_map(int map, int column, int row) {
     int width = map_width[map];
     int height = map_height[map];
     int i = 3 * (map_first[map] + (row + height) % height * width + (column + width) % width);
-    return vec3(normal_number(i), normal_number(i + 1), normal_number(i + 2));
+    return vec3(number_at(normals, i), number_at(normals, i + 1), number_at(normals, i + 2));
 }
 
 // (0, 0) is the lower left corner of the picture.

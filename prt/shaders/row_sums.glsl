@@ -1,4 +1,4 @@
-// What a baked row gives under the light. Below a #version line, with
+// What a baked row gives under the light. Below numbers.glsl, with
 //   COUNT          coefficients of a channel, (degree+1)^2
 //   CHANNELS       that the texture has: 1 (serves all colors) or 3
 //   KEPT_COUNT     coefficients that the texture keeps; KEPT(k): the index of number k
@@ -6,13 +6,8 @@
 //                  or relight_colored_l<degree>, which stands above
 //   WHITE          defined: a light with one channel for all colors
 // defined; `prt shader` and `prt emit` write it all.
-#ifdef GL_ES
-precision highp float;
-precision highp int;
-precision highp sampler2D;
-#endif
 
-// The section `transfer` unchanged: one number a texel, 2048 wide, number i in column i % 2048 of row i / 2048. Nearest.
+// The section `transfer` unchanged (numbers.glsl).
 uniform sampler2D transfer;
 // Coefficients KEPT(k) of the light's radiance in the object's own axes: turned by the inverse of its rotation, once an
 // object; times entry k of `light_factors` where `prt emit` writes them.
@@ -22,15 +17,13 @@ uniform float light[KEPT_COUNT];
 uniform vec3 light[KEPT_COUNT];  // red, green, blue
 #endif
 
-float transfer_number(int i) { return texelFetch(transfer, ivec2(i % 2048, i / 2048), 0).r; }
-
 vec3 row_sums(int number) {
     float row[CHANNELS * COUNT];
     float values[3 * COUNT];
     for (int k = 0; k < KEPT_COUNT; ++k) {
         vec3 incident = vec3(light[k]);
         for (int c = 0; c < CHANNELS; ++c) {
-            row[c * COUNT + KEPT(k)] = transfer_number((number * CHANNELS + c) * KEPT_COUNT + k);
+            row[c * COUNT + KEPT(k)] = number_at(transfer, (number * CHANNELS + c) * KEPT_COUNT + k);
         }
         for (int c = 0; c < 3; ++c) values[c * COUNT + KEPT(k)] = incident[c];
     }

@@ -49,10 +49,10 @@ export interface Attribute {
   array: Float32Array;
 }
 
-/** A texture that the vertex shader reads with texelFetch: 2048 wide, one number a texel, nearest. */
+/** A texture that the vertex shader reads with texelFetch: four numbers a texel, row by row, nearest. */
 export interface NumberTexture {
   name: string;
-  format: 'R32F' | 'R16F' | 'R8_SNORM';
+  format: 'RGBA32F' | 'RGBA16F' | 'RGBA8_SNORM';
   width: number;
   height: number;
   array: Float32Array | Uint16Array | Int8Array;

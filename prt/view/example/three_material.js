@@ -2,7 +2,7 @@
 import * as THREE from 'three';
 import { FileError, uniformsOf } from './relight.js';
 
-const kTypes = { R32F: THREE.FloatType, R16F: THREE.HalfFloatType, R8_SNORM: THREE.ByteType };
+const kTypes = { RGBA32F: THREE.FloatType, RGBA16F: THREE.HalfFloatType, RGBA8_SNORM: THREE.ByteType };
 
 const kFragment = `
 precision highp float;
@@ -15,7 +15,7 @@ void main() {
 }`;
 
 function textureOf({ format, width, height, array }) {
-  const texture = new THREE.DataTexture(array, width, height, THREE.RedFormat, kTypes[format]);
+  const texture = new THREE.DataTexture(array, width, height, THREE.RGBAFormat, kTypes[format]);
   texture.internalFormat = format;
   texture.unpackAlignment = 1;
   texture.needsUpdate = true;

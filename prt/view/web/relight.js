@@ -4,9 +4,9 @@
 import { readTransfer, FileError } from './transfer_file.js';
 import { kernelsOf } from './kernels.js';
 
-const kWidth = 2048;  // of textures of numbers
-const kNormalized = 127;  // R8_SNORM reads q / 127
-const kFormats = { single: 'R32F', half: 'R16F', byte: 'R8_SNORM' };
+const kLitWidth = 2048;  // of rows under the light, as prt/shaders/clusters.glsl reads them
+const kNormalized = 127;  // RGBA8_SNORM reads q / 127
+const kFormats = { single: 'RGBA32F', half: 'RGBA16F', byte: 'RGBA8_SNORM' };
 
 const bandsSquared = (degree) => (degree + 1) * (degree + 1);
 
@@ -31,11 +31,14 @@ export function turned(kernels, light, r) {
   return out;
 }
 
-function texture(name, format, numbers) {
-  const height = Math.max(1, Math.ceil(numbers.length / kWidth));
-  const padded = new numbers.constructor(kWidth * height);
+/** Numbers as a texture, four a texel; as wide as high or twice as wide, so that it fits where the GPU has room for so many. */
+export function texture(name, format, numbers) {
+  const texels = Math.ceil(numbers.length / 4);
+  const width = 2 ** Math.ceil(Math.log2(Math.max(1, texels)) / 2);
+  const height = Math.max(1, Math.ceil(texels / width));
+  const padded = new numbers.constructor(4 * width * height);
   padded.set(numbers);
-  return { name, format, width: kWidth, height, array: padded };
+  return { name, format, width, height, array: padded };
 }
 
 // The tables of BRDFs in the bands of the transfer, and the number of each vertex: 4 t + n, its n parts stand in the tables
@@ -71,10 +74,10 @@ function attributesOf({ sections, isGlossy, shape }, brdf) {
 function texturesOf({ sections, isGlossy, shape, indirect }, tables) {
   const out = [];
   if (sections.transfer) out.push(texture(isGlossy ? 'rows' : 'transfer', kFormats[shape.element], sections.transfer));
-  if (sections.weight) out.push(texture('weights', 'R8_SNORM', sections.weight));
+  if (sections.weight) out.push(texture('weights', 'RGBA8_SNORM', sections.weight));
   if (sections.indirect) out.push(texture('matrices', kFormats[indirect.element], sections.indirect));
-  if (sections.iweight) out.push(texture('matrix_weights', 'R8_SNORM', sections.iweight));
-  if (tables) out.push(texture('tables', 'R32F', tables));
+  if (sections.iweight) out.push(texture('matrix_weights', 'RGBA8_SNORM', sections.iweight));
+  if (tables) out.push(texture('tables', 'RGBA32F', tables));
   return out;
 }
 
@@ -94,6 +97,11 @@ export function load(bytes, runtime) {
   if (needs !== JSON.stringify(runtime.shaders.needs)) {
     throw new FileError(`the shaders relight files of ${JSON.stringify(runtime.shaders.needs)}, this is one of ${needs}: write them again with \`prt view\``);
   }
+  return bakedOf(transfer, runtime);
+}
+
+/** A transfer with what its shaders read. */
+export function bakedOf(transfer, runtime) {
   const brdfs = transfer.isGlossy && transfer.brdfs.length > 0 ? tablesOf(transfer) : {};
   return {
     transfer,
@@ -104,8 +112,8 @@ export function load(bytes, runtime) {
   };
 }
 
-// Throws if the light needs a coefficient that the file leaves out, as require_kept of prt/runtime/relight.hpp.
-function requireKept({ shape, header }, light) {
+/** Throws if the light needs a coefficient that the file leaves out, as require_kept of prt/runtime/relight.hpp. */
+export function requireKept({ shape, header }, light) {
   if (shape.kept.length === 0 || shape.meets !== 'dot') return;
   const n = bandsSquared(light.degree);
   const largest = light.values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
@@ -168,8 +176,8 @@ export function programOf(gl, vertex, fragment, captured = []) {
 }
 
 function texelsOf(gl, format) {
-  return { R32F: [gl.R32F, gl.RED, gl.FLOAT], R16F: [gl.R16F, gl.RED, gl.HALF_FLOAT],
-           R8_SNORM: [gl.R8_SNORM, gl.RED, gl.BYTE], RGBA32F: [gl.RGBA32F, gl.RGBA, gl.FLOAT] }[format];
+  const type = { RGBA32F: gl.FLOAT, RGBA16F: gl.HALF_FLOAT, RGBA8_SNORM: gl.BYTE }[format];
+  return [gl[format], gl.RGBA, type];
 }
 
 function upload(gl, { name, format, width, height, array }) {
@@ -217,10 +225,10 @@ export class Relighter {
 
   passOf({ shader, texture: name, rows, parts }) {
     const gl = this.gl;
-    const height = Math.max(1, Math.ceil((parts * rows) / kWidth));
-    this.textures[name] = upload(gl, { name, format: 'RGBA32F', width: kWidth, height });
+    const height = Math.max(1, Math.ceil((parts * rows) / kLitWidth));
+    this.textures[name] = upload(gl, { name, format: 'RGBA32F', width: kLitWidth, height });
     const program = programOf(gl, shader, kNothing, ['lit']);
-    return { name, program, rows, parts, buffer: this.bufferFor(16 * kWidth * height) };
+    return { name, program, rows, parts, buffer: this.bufferFor(16 * kLitWidth * height) };
   }
 
   bufferFor(bytes) {
@@ -234,21 +242,41 @@ export class Relighter {
 
   /**
    * Relights every vertex. light: in the axes of the mesh. eye: in its coordinates, for glossy kinds. surface: null, or
-   * {specular, exponent} for all vertices in place of those of the file.
+   * {specular, exponent} for all vertices in place of those of the file. waits: the radiance is not computed before refresh().
    */
-  relight(light, { eye = [0, 0, 0], surface = null } = {}) {
-    const uniforms = { ...uniformsOf(this.baked, light), eye: Float32Array.from(eye) };
+  relight(light, { eye = [0, 0, 0], surface = null, waits = false } = {}) {
+    this.uniforms = { ...uniformsOf(this.baked, light), eye: Float32Array.from(eye) };
     for (const pass of this.passes) {
-      this.run(pass.program, uniforms, this.nothing, pass.buffer, pass.rows, pass.parts);
+      this.use(pass.program, this.nothing);
+      this.capture(pass.buffer, pass.rows, pass.parts);
       this.copyToTexture(pass.buffer, this.textures[pass.name]);
     }
-    this.setSurface(surface);
-    this.run(this.program, uniforms, this.arrays, this.radiance, this.baked.transfer.vertices, 1);
+    this.surface = surface;
+    this.isOld = true;
+    if (!waits) this.refresh();
   }
 
-  // Attributes without an array have one value for all vertices.
-  setSurface(surface) {
+  /** Computes the radiance if that has waited. */
+  refresh() {
+    if (!this.isOld) return;
+    this.isOld = false;
+    this.use(this.program, this.arrays);
+    this.capture(this.radiance, this.baked.transfer.vertices, 1);
+  }
+
+  /** Writes other numbers into a texture of the file: as many as it has. */
+  setNumbers(name, numbers) {
     const gl = this.gl;
+    const { array, format, width, height } = this.baked.textures.find((one) => one.name === name);
+    array.set(numbers);
+    const [, layout, type] = texelsOf(gl, format);
+    gl.bindTexture(gl.TEXTURE_2D, this.textures[name].id);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, layout, type, array);
+  }
+
+  // Attributes without an array have one value for all vertices, and for all that is drawn: it is set before each use.
+  useAttributes() {
+    const { gl, surface } = this;
     gl.bindVertexArray(this.arrays);
     for (const [name, location] of [['specular', 4], ['exponent', 5], ['brdf', 8]]) {
       const has = this.buffers[name] && !surface;
@@ -260,10 +288,11 @@ export class Relighter {
     for (const location of [3, 6, 7]) gl.vertexAttrib3f(location, 0, 0, 0);
   }
 
-  run(program, uniforms, arrays, buffer, count, instances) {
+  /** Makes a program ready: the uniforms of the light, textures, attributes. */
+  use(program, arrays) {
     const gl = this.gl;
     gl.useProgram(program);
-    for (const [name, values] of Object.entries(uniforms)) {
+    for (const [name, values] of Object.entries(this.uniforms)) {
       const set = { light: 'uniform3fv', samples: 'uniform4fv', row_scale: 'uniform1fv', eye: 'uniform3fv' }[name];
       gl[set](gl.getUniformLocation(program, name), values);
     }
@@ -272,7 +301,12 @@ export class Relighter {
       gl.bindTexture(gl.TEXTURE_2D, id);
       gl.uniform1i(gl.getUniformLocation(program, name), unit);
     });
-    gl.bindVertexArray(arrays);
+    arrays === this.arrays ? this.useAttributes() : gl.bindVertexArray(arrays);
+  }
+
+  // Runs the program in use for `count` vertices, whose output goes into the buffer.
+  capture(buffer, count, instances) {
+    const gl = this.gl;
     gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, this.feedback);
     gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
     gl.enable(gl.RASTERIZER_DISCARD);
@@ -296,6 +330,7 @@ export class Relighter {
 
   /** The radiance of vertices, (count, 3), of all without arguments: waits for the GPU. */
   read(first = 0, count = this.baked.transfer.vertices) {
+    this.refresh();
     const out = new Float32Array(3 * count);
     const gl = this.gl;
     gl.bindBuffer(gl.ARRAY_BUFFER, this.radiance);

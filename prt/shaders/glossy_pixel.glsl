@@ -1,0 +1,29 @@
+
+// A pixel of a glossy surface: the radiance between the vertices, met by the lobes of this place [SloanKautzSnyder02,
+// equation 12].
+uniform vec3 eye;  // in the coordinates of the mesh
+
+vec3 pixel_radiance() {  // linear
+    float reaching[3 * COUNT];
+#ifdef CARRIED
+    for (int i = 0; i < 3 * COUNT; ++i) reaching[i] = at_reaching[i / 4][i % 4];
+#else
+    direct(0, reaching);
+#endif
+    Place place = Place(unit(at_normal), at_albedo, vec3(0.0), 0.0, 0.0);
+#ifdef LOBES
+    place.specular = at_lobe.rgb;
+    place.exponent = at_lobe.a;
+#endif
+#ifdef BRDFS
+    place.brdf = at_brdf;
+#endif
+#ifdef MAPS
+    place.normal = mapped_normal(place.normal);
+#endif
+    vec3 radiance = exit_radiance(place, unit(eye - at_position), reaching);
+#ifdef EMITTED
+    radiance += at_emitted;
+#endif
+    return radiance;
+}
