@@ -135,10 +135,6 @@ Subject::Subject(const SubjectOptions& options, bool is_stage, Stage stage)
     is_glossy_ = is_glossy_ || object.transfer->kind->is_glossy();
     if (object.transfer->missing.any()) tell_once(coarseness(is_stage_ ? object.name : options.file, *object.transfer));
   }
-  if (is_glossy_ && is_stage_) {
-    throw std::runtime_error(
-        fmt::format("{}: a stage takes diffuse transfer only; a glossy transfer file is needed alone", file_));
-  }
   if (options.sharp) {
     if (!is_glossy_ || options.shading.white) {
       throw std::runtime_error(fmt::format(

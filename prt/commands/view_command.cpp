@@ -1,15 +1,25 @@
-// `prt view FILE... -o view.html`: one page that shows baked transfer under live light, in any browser, without a network.
+// `prt view FILE... -o view.html`: one page that shows baked transfer, and stages of it, under live light, in any browser,
+// without a network.
 // `prt view FILE... --serve`: the same page from a server on this machine, for files that are too large for one page.
 // `prt view FILE -o relight.js`: the module by which other pages relight such files.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
 
 #include "numeric/output/atomic_file.hpp"
 #include "prt/commands/commands.hpp"
+#include "prt/runtime/relight_stage.hpp"
+#include "prt/scene/coefficients_json.hpp"
+#include "prt/scene/stage.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "prt/view/page.hpp"
 #include "prt/view/serve.hpp"
@@ -19,6 +29,7 @@ namespace {
 
 struct ViewCommand {
   std::vector<std::string> files;
+  std::string transfers;
   std::string output;
   bool serve = false;
   int port = 0;
@@ -26,64 +37,155 @@ struct ViewCommand {
   int threads = 0;
 };
 
+/// The page's files and subjects, and what the first stage among them says about light and camera.
+struct Chosen {
+  Viewed viewed;
+  std::vector<LightSpec> lights;
+  std::optional<Camera> camera;
+  std::vector<std::string> inputs;  // all files that are read
+};
+
 std::string bytes_of(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// The transfer is read first: it checks the bytes.
-ViewedFile viewed(const std::string& file) {
-  Transfer transfer = read_transfer(file);
-  if (transfer.mesh.positions.empty() || transfer.mesh.faces.empty()) {
+std::string name_of(const std::string& file) { return std::filesystem::path(file).filename().string(); }
+
+ViewedFile viewed(const std::string& file, std::shared_ptr<const Transfer> transfer) {
+  if (transfer->mesh.positions.empty() || transfer->mesh.faces.empty()) {
     throw std::runtime_error(fmt::format("{}: a transfer without faces: nothing to view", file));
   }
-  return {std::filesystem::path(file).filename().string(), bytes_of(file), std::move(transfer)};
+  return {name_of(file), bytes_of(file), std::move(transfer)};
 }
 
-std::string name_of(const LightOptions& light) {
-  if (!light.light.empty()) return std::filesystem::path(light.light).stem().string();
-  return light.scene.empty() ? "overcast" : "lights of " + std::filesystem::path(light.scene).stem().string();
+/// The transfer is read first: it checks the bytes.
+ViewedFile viewed(const std::string& file) {
+  return viewed(file, std::make_shared<const Transfer>(read_transfer(file)));
 }
 
-std::vector<ViewedFile> all_viewed(const ViewCommand& options) {
-  std::vector<ViewedFile> files;
-  for (const std::string& file : options.files) files.push_back(viewed(file));
-  return files;
+/// Messages about objects inside of others, at the times of all keys.
+void report_overlaps(const Stage& stage, OnFlaw flaws) {
+  std::set<std::string> lines;
+  for (const StageObject& object : stage.objects) {
+    for (const Motion::Key& key : object.motion.keys) {
+      for (const std::string& line : overlaps(stage, poses_at(stage, key.time))) {
+        if (lines.insert(line).second) report_flaw(flaws, line);
+      }
+    }
+  }
 }
 
-std::string page_of(const ViewCommand& options, const std::vector<ViewedFile>& files, FilesOfPage where) {
-  const auto lower = [](const ViewedFile& a, const ViewedFile& b) { return a.transfer.degree() < b.transfer.degree(); };
-  const int degree = std::max_element(files.begin(), files.end(), lower)->transfer.degree();
-  const ChosenLight chosen = choose_light(options.light);
-  if (!options.output.empty()) output::require_no_input(options.output, chosen.files);
-  return viewer_page(files, {name_of(options.light), project_windowed(chosen.lights, degree, options.light.window)},
-                     chosen.camera, where);
+void add_stage(const std::string& file, const ViewCommand& options, Chosen& chosen) {
+  Stage stage = load_stage(file, options.transfers);
+  report_overlaps(stage, on_flaw(options.light.strict));
+  ViewedSubject subject{name_of(file), {}, stage.objects};
+  std::map<const Transfer*, std::size_t> places;
+  for (const StageObject& object : stage.objects) {
+    const auto [place, is_new] = places.emplace(object.transfer.get(), chosen.viewed.files.size());
+    if (is_new) chosen.viewed.files.push_back(viewed(object.file, object.transfer));
+    subject.files.push_back(place->second);
+  }
+  chosen.viewed.subjects.push_back(std::move(subject));
+  if (chosen.lights.empty()) chosen.lights = stage.lights;
+  if (!chosen.camera) chosen.camera = stage.camera;
+  chosen.inputs.insert(chosen.inputs.end(), stage.files.begin(), stage.files.end());
+}
+
+Chosen all_chosen(const ViewCommand& options) {
+  Chosen chosen;
+  for (const std::string& file : options.files) {
+    chosen.inputs.push_back(file);
+    if (file.ends_with(".json")) {
+      add_stage(file, options, chosen);
+    } else {
+      chosen.viewed.subjects.push_back({name_of(file), {chosen.viewed.files.size()}, {}});
+      chosen.viewed.files.push_back(viewed(file));
+    }
+  }
+  return chosen;
+}
+
+std::string name_of_light(const ViewCommand& options, const Chosen& chosen) {
+  const LightOptions& light = options.light;
+  const auto stem = [](const std::string& file) { return std::filesystem::path(file).stem().string(); };
+  if (!light.light.empty()) return stem(light.light);
+  if (!light.scene.empty()) return "lights of " + stem(light.scene);
+  return chosen.lights.empty() ? "overcast" : "lights of the stage";
+}
+
+std::string page_of(const ViewCommand& options, const Chosen& chosen, FilesOfPage where) {
+  int degree = 0;
+  for (const ViewedFile& file : chosen.viewed.files) degree = std::max(degree, file.transfer->degree());
+  const ChosenLight light = choose_light(options.light, chosen.lights);
+  if (!options.output.empty()) output::require_no_input(options.output, light.files);
+  return viewer_page(chosen.viewed,
+                     {name_of_light(options, chosen), project_windowed(light.lights, degree, options.light.window)},
+                     light.camera ? light.camera : chosen.camera, where);
 }
 
 std::string module_of(const ViewCommand& options) {
-  if (options.files.size() > 1) {
-    throw std::runtime_error(fmt::format("{}: a module relights files like one: expected one FILE, got {}",
-                                         options.output, options.files.size()));
+  if (options.files.size() > 1 || options.files.front().ends_with(".json")) {
+    throw std::runtime_error(fmt::format("{}: a module relights files like one: expected one transfer file, got {}",
+                                         options.output, fmt::join(options.files, ", ")));
   }
-  return viewer_module(viewed(options.files.front()).transfer);
+  return viewer_module(*viewed(options.files.front()).transfer);
 }
 
 void write(const ViewCommand& options) {
   require_output(options.output, {".html", ".js"});
   output::require_no_input(options.output, options.files);
   const Stopwatch stopwatch;
-  const std::string text = options.output.ends_with(".js")
-                               ? module_of(options)
-                               : page_of(options, all_viewed(options), FilesOfPage::kInside);
+  std::string text;
+  if (options.output.ends_with(".js")) {
+    text = module_of(options);
+  } else {
+    const Chosen chosen = all_chosen(options);
+    output::require_no_input(options.output, chosen.inputs);
+    text = page_of(options, chosen, FilesOfPage::kInside);
+  }
   output::write_file(options.output, text);
   report_time(stopwatch, fmt::format("wrote {}, {} bytes,", options.output, text.size()));
 }
 
+/// A file of the system's folder for such, which goes away with it.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& bytes)
+      : name_((std::filesystem::temp_directory_path() / "prt-picture-XXXXXX").string()) {
+    const int descriptor = mkstemp(name_.data());
+    if (descriptor >= 0) close(descriptor);
+    if (!std::ofstream(name_, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+      throw std::runtime_error("the server has no room for the picture in its folder of temporary files");
+    }
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() { std::remove(name_.c_str()); }
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  std::string name_;
+};
+
+/// The light of a lat-long picture that a page sends. Messages are without a file's name: the page knows it.
+std::string projected(const std::string& bytes, int degree) {
+  const TemporaryFile file(bytes);
+  try {
+    const std::vector<Light> lights = load_lights(named_lights(file.name(), "lat_long"), OnFlaw::kMend);
+    return coefficients_json(project_windowed(lights, degree, {})).dump();
+  } catch (const std::runtime_error& flaw) {
+    const std::string line = flaw.what();
+    throw std::runtime_error(line.starts_with(file.name()) ? line.substr(file.name().size() + 2) : line);
+  }
+}
+
 void serve(const ViewCommand& options) {
-  const std::vector<ViewedFile> files = all_viewed(options);
-  serve_page(page_of(options, files, FilesOfPage::kServed), files, options.port, [](const std::string& address) {
-    fmt::print(stderr, "prt: open {} in a browser of this machine; Ctrl-C ends\n", address);
-  });
+  const Chosen chosen = all_chosen(options);
+  serve_page(page_of(options, chosen, FilesOfPage::kServed), chosen.viewed.files, options.port, projected,
+             [](const std::string& address) {
+               fmt::print(stderr, "prt: open {} in a browser of this machine; Ctrl-C ends\n", address);
+             });
 }
 
 void run(const ViewCommand& options) {
@@ -98,7 +200,8 @@ void run(const ViewCommand& options) {
 void add_view_command(CLI::App& tool) {
   auto options = std::make_shared<ViewCommand>();
   CLI::App& command = *tool.add_subcommand("view", "write a page that shows transfer files under live light");
-  command.add_option("FILE", options->files, "transfer files from `prt bake`")->required();
+  command.add_option("FILE", options->files, "transfer files from `prt bake`, or stages (.json)")->required();
+  command.add_option("--transfers", options->transfers, "folder of the stages' transfer files; default: their own");
   command.add_option("-o,--output", options->output,
                      "HTML file to write; or a .js file: the module by which other pages relight such files");
   command.add_flag("--serve", options->serve,

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
+#include "prt/kinds/kinds.hpp"
 #include "prt/light/light_coefficients.hpp"
 #include "prt/scene/json_reader.hpp"
 #include "prt/scene/scene_parts.hpp"
@@ -74,7 +76,8 @@ StageObject read_object(const JsonReader& reader, const std::string& folder, Tra
   object.motion = read_motion(reader);
   const auto light_at = reader.find("light_at");
   object.per_vertex = light_at && light_at->one_of({"center", "vertices"}) == "vertices";
-  object.transfer = read_once(beside(folder, object.name), transfer_kinds(), transfers.surfaces);
+  object.file = beside(folder, object.name);
+  object.transfer = read_once(object.file, transfer_kinds(), transfers.surfaces);
   if (object.per_vertex && object.transfer->shape.channels != 1) {
     light_at->expected("`center` for transfer with bounces, which needs one light for the whole object");
   }
@@ -137,6 +140,11 @@ Stage load_stage(const std::string& file, const std::string& transfers_folder) {
   }
   for (const auto* files : {&transfers.surfaces, &transfers.volumes}) {
     for (const auto& [name, transfer] : *files) stage.files.push_back(name);
+  }
+  for (const auto& [name, transfer] : transfers.surfaces) {
+    if (transfer->kind->is_glossy()) {
+      throw std::runtime_error(file + ": a stage takes diffuse transfer only; a glossy transfer file is needed alone");
+    }
   }
   for (const LightSpec& light : stage.lights) stage.files.push_back(light.file);
   if (stage.objects.empty()) objects.expected("at least one object");

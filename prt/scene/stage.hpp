@@ -41,6 +41,7 @@ struct Sphere {
 
 struct StageObject {
   std::string name;  // for messages: the path of the transfer file as written in the stage
+  std::string file;  // the path to it
   std::shared_ptr<const Transfer> transfer;
   Motion motion;
   Sphere proxy;  // in the object's axes; it blocks the light of other objects; a radius of 0 blocks nothing
@@ -65,7 +66,7 @@ Stage stage_of(Transfer transfer);
 
 /// Reads the stage and its transfer files, each file once. Relative paths start in `folder`, or in the folder of the
 /// stage if `folder` is empty. Throws std::runtime_error with one line that names file and JSON path, or the transfer
-/// file.
+/// file; also for glossy transfer.
 Stage load_stage(const std::string& file, const std::string& folder = {});
 
 }  // namespace sh::prt

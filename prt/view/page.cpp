@@ -29,9 +29,12 @@ constexpr std::pair<std::string_view, std::string_view> kTexts[] = {
 
 /// In the order in which they need each other.
 constexpr std::string_view kModule[] = {"checksum.js", "transfer_file.js", "kernels.js", "relight.js"};
-constexpr std::string_view kPage[] = {"light.js", "camera.js", "state.js", "pick.js", "picture.js",
-                                      "ball.js",  "input.js",  "panel.js", "main.js"};
-constexpr std::string_view kShaders[] = {"tone.glsl", "picture.vert", "picture.frag", "ball.vert", "ball.frag"};
+constexpr std::string_view kPage[] = {"vectors.js",       "stage.js",      "camera.js", "pixels.js",   "light.js",
+                                      "radiance_file.js", "light_file.js", "state.js",  "lighting.js", "pick.js",
+                                      "picture.js",       "subject.js",    "ball.js",   "input.js",    "panel.js",
+                                      "overlay.js",       "main.js"};
+constexpr std::string_view kShaders[] = {"tone.glsl",           "picture.vert", "picture.frag",
+                                         "picture_pixels.frag", "ball.vert",    "ball.frag"};
 
 std::string_view text_of(std::string_view file) {
   return std::find_if(std::begin(kTexts), std::end(kTexts), [&](const auto& text) { return text.first == file; })
@@ -109,13 +112,21 @@ Json needs_of(const Transfer& transfer) {
           {"brdfs", header.contains("brdfs")}};
 }
 
-Json shaders_of(const Transfer& transfer) {
-  const FileShaders shaders = file_shaders(transfer);
+Json shaders_of(const Transfer& transfer, const FileShaders& shaders) {
   Json lit = Json::array();
   for (const LitPass& pass : shaders.lit) {
     lit.push_back({{"shader", pass.shader}, {"texture", pass.texture}, {"rows", pass.rows}, {"parts", pass.parts}});
   }
   return {{"needs", needs_of(transfer)}, {"relight", shaders.relight}, {"lit", lit}};
+}
+
+/// Of rows that the page makes itself: for objects that gather light at their vertices, under the shadows of others.
+Json shaders_of_rows(const Transfer& transfer) {
+  Transfer rows;
+  rows.kind = transfer.kind;
+  rows.shape = transfer.shape;
+  rows.shape.storage = {};
+  return shaders_of(rows, file_shaders(rows));
 }
 
 void add_kernels(std::initializer_list<std::string_view> families, int degree, Json& kernels) {
@@ -131,7 +142,7 @@ void add_kernels_of_uniforms(const Transfer& transfer, Json& kernels) {
 }
 
 /// All that the page needs for its lights and its drawings of functions on the sphere.
-Json kernels_of_page(const std::vector<ViewedFile>& files, int degree) {
+Json kernels_of_page(const Viewed& viewed, int degree) {
   Json kernels = Json::object();
   add_kernels({"rotate", "add_cap_rgb", "basis", "evaluate_rgb"}, degree, kernels);
   if (degree > 0) {
@@ -139,10 +150,11 @@ Json kernels_of_page(const std::vector<ViewedFile>& files, int degree) {
         {"window_hann", "window_lanczos", "window_lanczos2", "window_lanczos4", "window_laplacian", "window_gaussian"},
         degree, kernels);
   }
-  for (const ViewedFile& file : files) {
-    add_kernels({"rotate"}, file.transfer.degree(), kernels);
-    add_kernels({"evaluate_rgb"}, file.transfer.shape.function_degree(), kernels);
-    add_kernels_of_uniforms(file.transfer, kernels);
+  for (const ViewedFile& file : viewed.files) {
+    const Transfer& transfer = *file.transfer;
+    add_kernels({"basis", "rotate"}, transfer.degree(), kernels);
+    add_kernels({"evaluate_rgb"}, transfer.shape.function_degree(), kernels);
+    add_kernels_of_uniforms(transfer, kernels);
   }
   return kernels;
 }
@@ -172,8 +184,9 @@ Json json_of(const ViewedLight& light) {
   return {{"name", light.name}, {"degree", light.coefficients.degree}, {"coefficients", coefficients}};
 }
 
+Json xyz(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
 Json json_of(const Camera& camera) {
-  const auto xyz = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
   return {{"position", xyz(camera.position)},
           {"target", xyz(camera.target)},
           {"up", xyz(camera.up)},
@@ -182,13 +195,41 @@ Json json_of(const Camera& camera) {
 
 Json json_of(const ViewedFile& file, FilesOfPage where, std::size_t number) {
   Json json = {{"name", file.name}, {"bytes", file.bytes.size()}};
-  json.update(shaders_of(file.transfer));
+  const FileShaders shaders = file_shaders(*file.transfer);
+  json.update(shaders_of(*file.transfer, shaders));
+  if (shaders.pixels) {
+    json["pixels"] = {{"vertex", shaders.pixels->vertex},
+                      {"fragment", shaders.pixels->fragment},
+                      {"vectors", shaders.pixels->vectors}};
+  }
   if (where == FilesOfPage::kServed) {
     json["url"] = fmt::format("file/{}", number);
   } else {
     json["data"] = base64(compressed(file.bytes));
   }
   return json;
+}
+
+Json json_of(const StageObject& object, std::size_t file) {
+  Json keys = Json::array();
+  for (const Motion::Key& key : object.motion.keys) {
+    keys.push_back({{"time", key.time}, {"position", xyz(key.position)}, {"degrees", key.degrees}});
+  }
+  Json json = {{"file", file},
+               {"axis", xyz(object.motion.axis)},
+               {"keys", keys},
+               {"proxy", {{"center", xyz(object.proxy.center)}, {"radius", object.proxy.radius}}}};
+  if (object.per_vertex) json["rows"] = shaders_of_rows(*object.transfer);
+  return json;
+}
+
+Json json_of(const ViewedSubject& subject) {
+  Json objects = Json::array();
+  for (std::size_t i = 0; i < subject.files.size(); ++i) {
+    objects.push_back(subject.objects.empty() ? Json{{"file", subject.files[i]}}
+                                              : json_of(subject.objects[i], subject.files[i]));
+  }
+  return {{"name", subject.name}, {"objects", objects}};
 }
 
 /// The template with `value` in place of {{name}}.
@@ -205,11 +246,10 @@ std::string escaped(std::string_view text) {
 
 }  // namespace
 
-std::string viewer_page(const std::vector<ViewedFile>& files, const ViewedLight& light,
-                        const std::optional<Camera>& camera, FilesOfPage where) {
-  if (files.empty()) throw std::invalid_argument("a viewer without files: expected one or more");
+std::string viewer_page(const Viewed& viewed, const ViewedLight& light, const std::optional<Camera>& camera,
+                        FilesOfPage where) {
   std::size_t bytes = 0;
-  for (const ViewedFile& file : files) bytes += file.bytes.size();
+  for (const ViewedFile& file : viewed.files) bytes += file.bytes.size();
   if (where == FilesOfPage::kInside && bytes > kMostEmbedded) {
     throw std::invalid_argument(
         fmt::format("{} bytes of transfer files: a page holds at most {}; use --serve, or bake with `--compress 128 8`",
@@ -220,15 +260,17 @@ std::string viewer_page(const std::vector<ViewedFile>& files, const ViewedLight&
                {"light", json_of(light)},
                {"skies", skies()},
                {"fejer", fejer_kernels(degree)},
-               {"kernels", kernels_of_page(files, degree)}};
+               {"kernels", kernels_of_page(viewed, degree)}};
   for (const std::string_view shader : kShaders) data["shaders"][std::string(shader)] = text_of(shader);
+  data["served"] = where == FilesOfPage::kServed;
   if (camera) data["camera"] = json_of(*camera);
-  for (std::size_t i = 0; i < files.size(); ++i) data["files"].push_back(json_of(files[i], where, i));
+  for (std::size_t i = 0; i < viewed.files.size(); ++i) data["files"].push_back(json_of(viewed.files[i], where, i));
+  for (const ViewedSubject& subject : viewed.subjects) data["subjects"].push_back(json_of(subject));
   std::string page(text_of("index.html"));
   fill("style", text_of("style.css"), page);
   fill("modules", joined(kModule, false) + joined(kPage, false), page);
   fill("data", script_of(data), page);
-  fill("title", escaped(files.front().transfer.scene), page);
+  fill("title", escaped(viewed.subjects.front().name), page);
   return page;
 }
 
@@ -241,7 +283,7 @@ std::string viewer_module(const Transfer& transfer) {
       "/** What `load` takes: the shaders of these files, and the functions that make their uniforms. */\n"
       "export const runtime = {};\n",
       transfer.kind->letters, transfer.degree(), joined(kModule, true),
-      Json{{"shaders", shaders_of(transfer)}, {"kernels", kernels}}.dump(2));
+      Json{{"shaders", shaders_of(transfer, file_shaders(transfer))}, {"kernels", kernels}}.dump(2));
 }
 
 }  // namespace sh::prt

@@ -1,13 +1,15 @@
 // The viewer: one HTML file that holds its modules (prt/view/web), the generated functions of a degree, and transfer
-// files as they are; and the ES module with which pages of others relight such files.
+// files as they are, alone or placed on stages; and the ES module with which pages of others relight such files.
 #pragma once
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "prt/light/light_coefficients.hpp"
 #include "prt/scene/camera.hpp"
+#include "prt/scene/stage.hpp"
 #include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
@@ -16,7 +18,20 @@ namespace sh::prt {
 struct ViewedFile {
   std::string name;
   std::string bytes;
-  Transfer transfer;
+  std::shared_ptr<const Transfer> transfer;
+};
+
+/// What a page shows at a time: a transfer file, or the objects of a stage.
+struct ViewedSubject {
+  std::string name;
+  std::vector<std::size_t> files;    // of each object: its place among those of the page
+  std::vector<StageObject> objects;  // how they stand on their stage; empty for a transfer file
+};
+
+/// At least one subject.
+struct Viewed {
+  std::vector<ViewedFile> files;
+  std::vector<ViewedSubject> subjects;
 };
 
 struct ViewedLight {
@@ -31,9 +46,9 @@ inline constexpr std::size_t kMostEmbedded = std::size_t{256} << 20U;
 enum class FilesOfPage { kInside, kServed };
 
 /// The page. `light` has the highest degree of the files. Without a camera the page frames the meshes. Throws
-/// std::invalid_argument for no files, and for more bytes inside than kMostEmbedded.
-std::string viewer_page(const std::vector<ViewedFile>& files, const ViewedLight& light,
-                        const std::optional<Camera>& camera, FilesOfPage where = FilesOfPage::kInside);
+/// std::invalid_argument for more bytes inside than kMostEmbedded.
+std::string viewer_page(const Viewed& viewed, const ViewedLight& light, const std::optional<Camera>& camera,
+                        FilesOfPage where = FilesOfPage::kInside);
 
 /// The ES module that reads and relights files of the kind, shapes and materials of this one (prt/view/MODULE.md).
 std::string viewer_module(const Transfer& transfer);

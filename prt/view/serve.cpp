@@ -13,6 +13,7 @@ namespace sh::prt {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
+constexpr std::size_t kMostPicture = std::size_t{1} << 30U;  // bytes
 
 bool is_of_this_machine(const httplib::Request& request) {
   const std::string host = request.get_header_value("Host");
@@ -27,10 +28,22 @@ void answer_with(httplib::Server& server, const std::string& path, const std::st
   });
 }
 
+/// POST /project?degree=N with a picture as body: its light, or status 400 with one line.
+void answer_pictures(httplib::Server& server, const ProjectsPictures& project) {
+  server.Post("/project", [&project](const httplib::Request& request, httplib::Response& response) {
+    try {
+      response.set_content(project(request.body, std::stoi(request.get_param_value("degree"))), "application/json");
+    } catch (const std::exception& flaw) {
+      response.status = 400;
+      response.set_content(flaw.what(), "text/plain; charset=utf-8");
+    }
+  });
+}
+
 }  // namespace
 
 void serve_page(const std::string& page, const std::vector<ViewedFile>& files, int port,
-                const std::function<void(const std::string& address)>& ready) {
+                const ProjectsPictures& project, const std::function<void(const std::string& address)>& ready) {
   httplib::Server server;
   server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
     if (is_of_this_machine(request)) return httplib::Server::HandlerResponse::Unhandled;
@@ -41,6 +54,8 @@ void serve_page(const std::string& page, const std::vector<ViewedFile>& files, i
   for (std::size_t i = 0; i < files.size(); ++i) {
     answer_with(server, fmt::format("/file/{}", i), files[i].bytes, "application/octet-stream");
   }
+  answer_pictures(server, project);
+  server.set_payload_max_length(kMostPicture);
   const int bound = port == 0 ? server.bind_to_any_port(kHost) : server.bind_to_port(kHost, port) ? port : -1;
   if (bound < 0)
     throw std::runtime_error(fmt::format("--port {}: cannot listen there; expected a port that is free", port));

@@ -163,13 +163,53 @@ export async function set(page, changes) {
   }), changes);
 }
 
-/** Radiance of the vertices of a file, from the GPU. */
-export async function radianceOf(page, file = 0) {
+/** Radiance of the vertices of a file or a stage, from the GPU. */
+export async function radianceOf(page, subject = 0) {
   const values = await page.evaluate((index) => {
-    viewer.relight(index);
-    return [...viewer.fileMeshes[index].relighter.read()];
-  }, file);
+    viewer.relight(viewer.subjects[index]);
+    return [...viewer.subjects[index].read()];
+  }, subject);
   return Float32Array.from(values);
+}
+
+/** Drops a file on the page. */
+export async function drop(page, name, content) {
+  await page.evaluate(([file, base64]) => {
+    const data = new DataTransfer();
+    data.items.add(new File([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))], file));
+    document.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, [name, Buffer.from(content).toString('base64')]);
+}
+
+/**
+ * Clicks into faces of a convex object, near each of their corners, and returns [{clicked, told}]: the numbers of the corner
+ * and of the vertex that the page tells.
+ */
+export async function clicksAtCorners(page, place = 0) {
+  const points = await page.evaluate((at) => {
+    const { first: subject, state, canvas, aspect } = viewer;
+    const { position, face } = subject.objects[at].transfer.sections;
+    const before = subject.objects.slice(0, at).reduce((sum, { transfer }) => sum + transfer.vertices, 0);
+    const m = subject.clipOf(at, state, aspect);
+    const onCanvas = (p) => {
+      const [x, y, , w] = [0, 1, 2, 3].map((row) => [...p, 1].reduce((sum, value, k) => sum + m[row + 4 * k] * value, 0));
+      return [((x / w + 1) / 2) * canvas.clientWidth, ((1 - y / w) / 2) * canvas.clientHeight];
+    };
+    const areaOf = ([a, b, c]) => (b[0] - a[0]) * (a[1] - c[1]) - (b[1] - a[1]) * (a[0] - c[0]);  // of what turns its front to the eye
+    const faces = Array.from({ length: face.length / 3 }, (_, f) => {
+      const corners = [...face.subarray(3 * f, 3 * f + 3)];
+      const points3 = corners.map((v) => [...position.subarray(3 * v, 3 * v + 3)]);
+      return { corners, points: points3, area: areaOf(points3.map(onCanvas)) };
+    }).sort((a, b) => b.area - a.area).slice(0, 8);
+    return faces.flatMap(({ corners, points: p }) => corners.map((v, k) => (
+      { clicked: before + v, at: onCanvas(p[k].map((x, i) => 0.7 * x + 0.15 * (p[(k + 1) % 3][i] + p[(k + 2) % 3][i]))) })));
+  }, place);
+  const clicks = [];
+  for (const { clicked, at } of points) {
+    await page.mouse.click(...at);
+    clicks.push({ clicked, told: await page.evaluate(() => viewer.state.vertex) });
+  }
+  return clicks;
 }
 
 export const message = (page) => page.textContent('#message');

@@ -4,7 +4,8 @@ import assert from 'node:assert';
 import fs from 'node:fs';
 import path from 'node:path';
 import { before, test } from 'node:test';
-import { message, prt, set, withPage } from './browser.mjs';
+import { fileURLToPath } from 'node:url';
+import { message, prt, set, withPage, writeJson } from './browser.mjs';
 
 const kOut = process.env.SHFORGE_OUT ?? 'out';
 const kSky = { light: 'sky', sky: 12, elevation: 38, azimuth: -20, sun: 3, window: 'auto' };
@@ -35,8 +36,8 @@ async function checkLayout(page, leastTarget) {
   assert.deepEqual(flaws, []);
 }
 
-async function shown(name, state, options, leastTarget = 24) {
-  await withPage('view.html', async (page) => {
+async function shown(name, state, options, leastTarget = 24, html = 'view.html') {
+  await withPage(html, async (page) => {
     await set(page, state);
     await page.waitForFunction(() => /%/.test(document.getElementById('ringing').textContent));
     await checkLayout(page, leastTarget);
@@ -49,6 +50,20 @@ test('The page is laid out on a desk, in light and dark', async () => {
   await shown('view_light', { ...kSky, theme: 'light', vertex: 9000 }, size);
   await shown('view_dark', { ...kSky, theme: 'dark', compare: 'wipe' }, { ...size, colorScheme: 'dark' });
   await shown('view_difference', { ...kSky, compare: 'difference' }, size);
+});
+
+test('A stage and glossy surfaces are laid out, too', async () => {
+  const scenes = fileURLToPath(new URL('../../prt/scenes/', import.meta.url));
+  for (const part of ['floor', 'torus', 'arch', 'ball']) prt('bake', `${scenes}stage/${part}.json`, '-o', `${part}.transfer`, '--no-checkpoint', '--directions', 256);
+  prt('view', `${scenes}stage/stage.json`, '--transfers', '.', '-o', 'stage.html');
+  const size = { width: 1000, height: 600 };
+  await shown('view_stage', { theme: 'light', vertex: 9000, time: 0.35 }, size, 24, 'stage.html');
+  const dents = JSON.parse(fs.readFileSync(`${scenes}dents.json`, 'utf8'));
+  for (const mesh of dents.meshes) Object.assign(mesh, { segments: 48, normal_map: `${scenes}dents.png` });
+  writeJson('dents.json', { ...dents, ground: { ...dents.ground, size: 8, max_edge: 0.3 }, lights: [{ type: 'cie_overcast' }] });
+  prt('bake', 'dents.json', '-o', 'dents.transfer', '--no-checkpoint', '--directions', 256);
+  prt('view', 'dents.transfer', '--scene', 'dents.json', '-o', 'dents.html');
+  await shown('view_dents', { ...kSky, theme: 'dark' }, size, 24, 'dents.html');
 });
 
 test('The page is laid out on a phone, with rows for fingers', async () => {

@@ -3,12 +3,12 @@ import assert from 'node:assert';
 import fs from 'node:fs';
 import { before, test } from 'node:test';
 import zlib from 'node:zlib';
-import { inFolder, message, prt, radianceOf, radianceOfPly, refusal, relativeDifference, scene, set, spawnPrt, statusOf, withAddress, withPage, writeJson } from './browser.mjs';
+import { clicksAtCorners, drop, inFolder, message, prt, radianceOf, radianceOfPly, refusal, relativeDifference, scene, set, spawnPrt, statusOf, withAddress, withPage, writeJson } from './browser.mjs';
 import { canvasPicture, pictureOf, rootMeanSquare } from './pictures.mjs';
 
 const kCamera = { position: [4, -4, 3], target: [0.2, 0, 0.3], field_of_view: 40 };
 const kSky = [{ type: 'cie_sky', sky: 12, sun: { elevation: 40, azimuth: -60 }, radiance: [0.5, 0.7, 1] }];
-const kLimit = 0.008;  // of pictures; seen: 0.0026, of glossy ones, which prt shades at every pixel, 0.0065
+const kLimit = 0.008;  // of pictures; seen: 0.0027
 const kWidth = 480, kHeight = 320;  // of the canvas
 const kSize = { width: kWidth + 312, height: kHeight };  // of the page: its panel is beside the canvas
 
@@ -25,7 +25,7 @@ before(() => {
 const render = (name, out, ...words) => prt('render', `${name}.transfer`, '--scene', `${name}.json`, '-o', out, '--width', kWidth, '--height', kHeight, ...words);
 
 test('Pictures are those of prt render, for each tone curve and exposure', async () => {
-  for (const [name, limit] of [['shadowed', kLimit], ['bounced', kLimit], ['glossy', 2 * kLimit]]) {
+  for (const [name, limit] of [['shadowed', kLimit], ['bounced', kLimit], ['glossy', kLimit]]) {
     await withPage(`${name}.html`, async (page) => {
       for (const tone of ['neutral', 'reinhard', 'linear']) {
         render(name, 'picture.png', '--fixed-exposure', 0.5, '--exposure', 0.5, '--tone', tone, '--background', 'grey');
@@ -172,14 +172,30 @@ test('A click tells the vertex under it: its numbers and its radiance', async ()
   }, kSize);
 });
 
+test('A click tells the nearest of the three corners of the face under it', async () => {
+  writeJson('ball.json', { name: 'ball', meshes: [{ primitive: 'sphere', max_edge: 0.4 }], bake: { degree: 2, directions: 64 } });
+  prt('bake', 'ball.json', '-o', 'ball.transfer', '--no-checkpoint');
+  prt('view', 'ball.transfer', '-o', 'ball.html');
+  await withPage('ball.html', async (page) => {
+    for (const pitch of [40, -40]) {  // from above and below: of the two faces under a click, the front is the first or the second
+      await set(page, { pitch });
+      const clicks = await clicksAtCorners(page);
+      assert.equal(clicks.length, 24);
+      for (const { clicked, told } of clicks) assert.equal(told, clicked);
+    }
+    await page.mouse.click(3, 30);
+    assert.equal(await page.evaluate(() => viewer.state.vertex), -1, 'nothing is there');
+  }, kSize);
+});
+
 test('The fragment restores the view', async () => {
   const shown = await withPage('two.html', async (page) => {
     await set(page, { light: 'cap', elevation: 30, halfAngle: 20, window: 'hann', strength: 0.3, degree: 3, yaw: 10, pitch: 50, compare: 'wipe', wipe: 0.4, stops: -1, vertex: 5, turn: [0.8, 0, 0.6, 0] });
     await page.waitForFunction(() => location.hash.includes('turn'));
-    return page.evaluate(() => ({ hash: location.hash, state: viewer.state, light: [...viewer.light().values] }));
+    return page.evaluate(() => ({ hash: location.hash, state: viewer.state, light: [...viewer.lighting.of(viewer.state).values] }));
   });
   await withPage('two.html', async (page) => {
-    const again = await page.evaluate(() => ({ hash: location.hash, state: viewer.state, light: [...viewer.light().values] }));
+    const again = await page.evaluate(() => ({ hash: location.hash, state: viewer.state, light: [...viewer.lighting.of(viewer.state).values] }));
     assert.deepEqual(again.state, shown.state);
     assert.deepEqual(again.light, shown.light);
   }, { hash: shown.hash });
@@ -188,14 +204,6 @@ test('The fragment restores the view', async () => {
     assert.deepEqual([state.degree, state.yaw, state.a, state.window], [4, await page.evaluate(() => viewer.begin.yaw), 1, 'none']);
   }, { hash: '#degree=99&yaw=high&a=7&nothing=1&window=none&turn=1,2' });
 });
-
-async function drop(page, name, text) {
-  await page.evaluate(([file, content]) => {
-    const data = new DataTransfer();
-    data.items.add(new File([content], file));
-    document.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
-  }, [name, text]);
-}
 
 test('Coefficients of prt project that are dropped on the page light it', async () => {
   writeJson('sky.json', [{ ...kSky[0], sun: { elevation: 20, azimuth: 100 } }]);  // not the light of the page
@@ -209,7 +217,6 @@ test('Coefficients of prt project that are dropped on the page light it', async 
     for (const [name, text, line] of [
       ['a.json', '{"degree": 4}', 'a.json: not a light: expected the JSON of `prt project LIGHT --degree N`, three channels of (N+1)^2 coefficients'],
       ['b.json', '{', 'b.json: not JSON: '],
-      ['c.exr', '', 'c.exr: expected coefficients: the JSON that `prt project PICTURE --degree N` prints, for pictures too'],
     ]) {
       await drop(page, name, text);
       await page.waitForFunction((part) => document.getElementById('message').textContent.startsWith(part), line);
@@ -251,13 +258,37 @@ test('A page that is damaged itself says so', async () => {
   });
 });
 
-test('Too small textures and a browser without WebGL 2 are named', async () => {
-  const html = fs.readFileSync(inFolder('shadowed.html'), 'utf8');
-  const withScript = (name, script) => fs.writeFileSync(inFolder(name), html.replace('<body>', () => `<body><script>${script}</script>`));
-  withScript('small.html', 'const of = WebGL2RenderingContext.prototype.getParameter; WebGL2RenderingContext.prototype.getParameter = function (name) { return name === this.MAX_TEXTURE_SIZE ? 4 : of.call(this, name); };');
-  await withPage('small.html', async (page) => assert.match(await message(page),
-    /^shadowed\.transfer: its numbers \(transfer\) need a texture of 2048 x \d+, this GPU has at most 4 x 4: bake fewer vertices, a lower degree, or clusters \(`--compress 128 8`\)$/));
-  withScript('old.html', 'HTMLCanvasElement.prototype.getContext = () => null;');
+// A copy of a page in which the GPU has another limit.
+function withLimit(from, to, name, value) {
+  const script = `const of = WebGL2RenderingContext.prototype.getParameter; WebGL2RenderingContext.prototype.getParameter = function (name) { return name === this.${name} ? ${value} : of.call(this, name); };`;
+  fs.writeFileSync(inFolder(to), fs.readFileSync(inFolder(from), 'utf8').replace('<body>', () => `<body><script>${script}</script>`));
+}
+
+test('Numbers fill the textures that a GPU has; more of them are refused, with the limit', async () => {
+  prt('relight', 'shadowed.transfer', '--scene', 'shadowed.json', '-o', 'small.ply');
+  const { vertices } = JSON.parse(prt('info', 'shadowed.transfer'));
+  const side = 2 ** Math.ceil(Math.log2(Math.sqrt((25 * vertices) / 4)));
+  withLimit('shadowed.html', 'small.html', 'MAX_TEXTURE_SIZE', side);
+  await withPage('small.html', async (page) => assert.ok(relativeDifference(await radianceOf(page), radianceOfPly('small.ply')) < 2e-6));
+  withLimit('shadowed.html', 'small.html', 'MAX_TEXTURE_SIZE', side / 2);
+  await withPage('small.html', async (page) => assert.match(await message(page), new RegExp(
+    `^shadowed\\.transfer: its numbers \\(transfer\\) need a texture of ${side} x \\d+, this GPU has at most ${side / 2} x ${side / 2}: bake fewer vertices, a lower degree, or clusters \\(\`--compress 128 8\`\\)$`)));
+});
+
+test('Where a GPU hands on few numbers, glossy pixels take radiance from between the vertices', async () => {
+  withLimit('glossy.html', 'few.html', 'MAX_VARYING_VECTORS', 15);
+  render('glossy', 'few.png', '--fixed-exposure', 0.5, '--background', 'grey');
+  const shade = (name) => withPage(name, async (page) => {
+    await set(page, { exposure: 0.5 });
+    const shown = await canvasPicture(page);
+    return { shown, difference: rootMeanSquare(shown, await pictureOf(page, inFolder('few.png'))) };
+  }, kSize);
+  const [vertices, pixels] = [await shade('few.html'), await shade('glossy.html')];
+  assert.ok(vertices.difference < 2 * kLimit && pixels.difference < vertices.difference, `${vertices.difference}, ${pixels.difference}`);
+});
+
+test('A browser without WebGL 2 is named', async () => {
+  fs.writeFileSync(inFolder('old.html'), fs.readFileSync(inFolder('shadowed.html'), 'utf8').replace('<body>', () => '<body><script>HTMLCanvasElement.prototype.getContext = () => null;</script>'));
   await withPage('old.html', async (page) => assert.equal(await message(page), 'this browser has no WebGL 2, which the page needs: use a newer one, or switch graphics acceleration on'));
 });
 
@@ -280,7 +311,7 @@ test('prt view refuses bad input in one line and writes nothing', () => {
   fs.writeFileSync(inFolder('text.transfer'), 'no transfer file, but text that is longer than its prologue');
   assert.match(refusal('view', 'text.transfer', '-o', 'bad.html'), /^text\.transfer: not a transfer file: it does not begin with `shprt`$/);
   assert.match(refusal('view', 'shadowed.transfer', '-o', 'bad.png'), /^bad\.png: expected a name that ends in \.html or \.js$/);
-  assert.match(refusal('view', 'shadowed.transfer', 'bounced.transfer', '-o', 'bad.js'), /^bad\.js: a module relights files like one: expected one FILE, got 2$/);
+  assert.match(refusal('view', 'shadowed.transfer', 'bounced.transfer', '-o', 'bad.js'), /^bad\.js: a module relights files like one: expected one transfer file, got shadowed\.transfer, bounced\.transfer$/);
   assert.match(refusal('view', 'missing.transfer', '-o', 'bad.html'), /^missing\.transfer: cannot read: /);
   nothing('bad.html');
   nothing('bad.js');
@@ -293,7 +324,7 @@ test('One lobe for all surfaces is that of a file which was baked with it', asyn
   await withPage('glossy.html', async (page) => {
     const before = await radianceOf(page);
     await set(page, { ownSurface: true, exponent: 40, specular: 0.1 });
-    const shiny = await page.evaluate(() => [...viewer.fileMeshes[0].baked.transfer.sections.specular]);
+    const shiny = await page.evaluate(() => [...viewer.subjects[0].objects[0].transfer.sections.specular]);
     const [own, baked] = [await radianceOf(page), radianceOfPly('other.ply')].map((values) => values.filter((_, i) => shiny[i] > 0));
     assert.ok(own.length > 300 && relativeDifference(own, baked) < 2e-6);
     assert.ok(relativeDifference(own, before.filter((_, i) => shiny[i] > 0)) > 1e-3);

@@ -1,11 +1,6 @@
 // An orbit about a target, z up, and its matrices. Angles in degrees; field of view vertical.
-const inRadians = (degrees) => (degrees * Math.PI) / 180;
-
-export const minus = (a, b) => a.map((x, k) => x - b[k]);
-export const plus = (a, b, factor = 1) => a.map((x, k) => x + factor * b[k]);
-export const dotOf = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-export const unit = (a) => { const size = Math.hypot(...a); return a.map((x) => x / size); };
+import { applied, cross, dotOf, inRadians, minus, plus, transposed, unit } from './vectors.js';
+import { unplaced } from './stage.js';
 
 /** Axes of the camera: right, up, backward. */
 export function axesOf(camera) {
@@ -47,14 +42,22 @@ function viewMatrix({ right, up, back }, eye) {
           -dotOf(right, eye), -dotOf(up, eye), -dotOf(back, eye), 1];
 }
 
-/** Coordinates of a mesh in a sphere `bounds`, whose own are (world - origin) / unit, to clip space. */
-export function toClip(camera, aspect, bounds, { origin, unit: size }) {
-  const eye = eyeOf(camera);
-  const depth = dotOf(minus(eye, bounds.center), axesOf(camera).back);
+/**
+ * Coordinates of a mesh to clip space. Its own are (p - origin) / unit of points p of an object that stands in this pose;
+ * `bounds` is the sphere in the world that is between the two planes.
+ */
+export function toClip(camera, aspect, bounds, { origin, unit: size }, pose) {
+  const depth = dotOf(minus(eyeOf(camera), bounds.center), axesOf(camera).back);
   const near = Math.max(depth - 1.01 * bounds.radius, 1e-3 * camera.distance);
   const far = Math.max(depth + 1.01 * bounds.radius, 2 * near);
-  const local = minus(eye, origin).map((x) => x / size);
-  return matrixProduct(perspective(camera.fieldOfView, aspect, near / size, far / size), viewMatrix(axesOf(camera), local));
+  const back = transposed(pose.rotation);
+  const axes = Object.fromEntries(Object.entries(axesOf(camera)).map(([name, axis]) => [name, applied(back, axis)]));
+  return matrixProduct(perspective(camera.fieldOfView, aspect, near / size, far / size), viewMatrix(axes, localEye(camera, { origin, unit: size }, pose)));
+}
+
+/** The eye in the coordinates of such a mesh. */
+export function localEye(camera, { origin, unit: size }, pose) {
+  return minus(unplaced(pose, eyeOf(camera)), origin).map((x) => x / size);
 }
 
 /** Directions to clip space, for what is infinitely far away. */

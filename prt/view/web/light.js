@@ -2,40 +2,12 @@
 // Conventions as in prt/light: z up, azimuth from +x towards +y, angles in degrees.
 import { darkness, inDegree, turned } from './relight.js';
 import { FileError } from './transfer_file.js';
-
-const radians = (degrees) => (degrees * Math.PI) / 180;
+import { gaussLegendre, inRadians, remembering, rotationAbout } from './vectors.js';
 
 /** The unit vector towards an elevation and an azimuth. */
 export function towards(elevation, azimuth) {
-  const [e, a] = [radians(elevation), radians(azimuth)];
+  const [e, a] = [inRadians(elevation), inRadians(azimuth)];
   return [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)];
-}
-
-/** Rotation by an angle about a unit axis, right-handed; 9 numbers, row by row. */
-export function rotationAbout([x, y, z], degrees) {
-  const c = Math.cos(radians(degrees)), s = Math.sin(radians(degrees)), t = 1 - c;
-  return [t * x * x + c, t * x * y - s * z, t * x * z + s * y, t * x * y + s * z, t * y * y + c, t * y * z - s * x,
-          t * x * z - s * y, t * y * z + s * x, t * z * z + c];
-}
-
-export function times(a, b) {
-  return a.map((_, i) => [0, 1, 2].reduce((sum, k) => sum + a[3 * Math.floor(i / 3) + k] * b[3 * k + (i % 3)], 0));
-}
-
-export const transposed = (r) => r.map((_, i) => r[3 * (i % 3) + Math.floor(i / 3)]);
-
-// Nodes and weights on [-1, 1] [Gauss-Legendre], by Newton's method on P_n.
-function gaussLegendre(n) {
-  return Array.from({ length: n }, (_, k) => {
-    let z = Math.cos((Math.PI * (k + 0.75)) / (n + 0.5)), slope = 1;
-    for (let step = 0; step < 8; ++step) {
-      let p = 1, before = 0;
-      for (let l = 0; l < n; ++l) [p, before] = [((2 * l + 1) * z * p - l * before) / (l + 1), p];
-      slope = (n * (z * p - before)) / (z * z - 1);
-      z -= p / slope;
-    }
-    return [z, 2 / ((1 - z * z) * slope * slope)];
-  });
 }
 
 // Nodes and weights on [0, 1] [TakahasiMori74], for what changes quickly near the ends.
@@ -54,7 +26,7 @@ const kAcross = tanhSinh(32);
 // the sun to the horizon, as prt/light/sky.cpp. radiance(chi, z): at the angle chi from the sun and the height z.
 function projectSky(basis, degree, elevation, radiance) {
   const sum = new Float64Array((degree + 1) ** 2), values = new Float64Array(sum.length);
-  const [c, s] = [Math.cos(radians(elevation)), Math.sin(radians(elevation))];
+  const [c, s] = [Math.cos(inRadians(elevation)), Math.sin(inRadians(elevation))];
   for (const [part, across] of kAcross) {
     for (const bearing of [0.5 * Math.PI * part, Math.PI - 0.5 * Math.PI * part]) {
       const side = [-s * Math.cos(bearing), Math.sin(bearing), c * Math.cos(bearing)];
@@ -79,7 +51,7 @@ function skyRadiance(skies, type, elevation) {
   const [a, b, c, d, e] = skies[type - 1];
   const gradation = (z) => 1 + a * Math.exp(b / z);
   const indicatrix = (chi) => 1 + c * (Math.exp(d * chi) - Math.exp((d * Math.PI) / 2)) + e * Math.cos(chi) ** 2;
-  const zenith = indicatrix(Math.PI / 2 - radians(elevation)) * gradation(1);
+  const zenith = indicatrix(Math.PI / 2 - inRadians(elevation)) * gradation(1);
   return (chi, z) => (indicatrix(chi) * gradation(z)) / zenith;
 }
 
@@ -99,8 +71,8 @@ export function skyLight({ kernels, degree, skies }, { type, elevation, azimuth 
 /** A disc at infinity of this half-angle that gives a surface which faces it this irradiance, W m^-2; color: linear RGB. */
 export function capLight({ kernels, degree }, { elevation, azimuth, halfAngle, irradiance, color = [1, 1, 1] }) {
   const light = darkness(degree);
-  const oneMinusCos = 2 * Math.sin(radians(halfAngle) / 2) ** 2;
-  const radiance = irradiance / (Math.PI * Math.sin(Math.min(radians(halfAngle), Math.PI / 2)) ** 2);
+  const oneMinusCos = 2 * Math.sin(inRadians(halfAngle) / 2) ** 2;
+  const radiance = irradiance / (Math.PI * Math.sin(Math.min(inRadians(halfAngle), Math.PI / 2)) ** 2);
   kernels[`add_cap_rgb_l${degree}`](...towards(elevation, azimuth), oneMinusCos, ...color.map((part) => part * radiance), light.values);
   return light;
 }
@@ -188,18 +160,13 @@ function largest(points, value) {
   return best;
 }
 
-const kSpirals = new Map();
-
-function spiralOf(degree) {
+const kSpirals = remembering((degree) => {
   const count = 64 * (degree + 1) ** 2;
-  if (!kSpirals.has(count)) {
-    kSpirals.set(count, Array.from({ length: count }, (_, k) => {
-      const z = 1 - (2 * k + 1) / count, angle = k * Math.PI * (3 - Math.sqrt(5)), r = Math.sqrt(1 - z * z);
-      return [r * Math.cos(angle), r * Math.sin(angle), z];
-    }));
-  }
-  return kSpirals.get(count);
-}
+  return Array.from({ length: count }, (_, k) => {
+    const z = 1 - (2 * k + 1) / count, angle = k * Math.PI * (3 - Math.sqrt(5)), r = Math.sqrt(1 - z * z);
+    return [r * Math.cos(angle), r * Math.sin(angle), z];
+  });
+});
 
 const dot = (factors, bands, c) => factors.reduce((sum, factor, l) => sum + factor * bands[c * factors.length + l], 0);
 
@@ -225,7 +192,7 @@ export function windowed(page, light, type, strength) {
     const bandsAt = bandsOf(page, light);
     const none = new Array(degree + 1).fill(1);
     const full = windowFactors(page, 'fejer', 1, degree);
-    strength = Math.min(1, Math.max(0, largest(spiralOf(degree), (point) => Math.max(...kChannels.map((c) => {
+    strength = Math.min(1, Math.max(0, largest(kSpirals(degree), (point) => Math.max(...kChannels.map((c) => {
       const now = dot(none, bandsAt(point), c), then = dot(full, bandsAt(point), c);
       return now < 0 && then > now ? now / (now - then) : 0;
     })))));
@@ -241,6 +208,47 @@ export function windowed(page, light, type, strength) {
 export function extremes(page, light) {
   const bandsAt = bandsOf(page, light);
   const all = new Array(light.degree + 1).fill(1);
-  const of = (sign) => largest(spiralOf(light.degree), (point) => Math.max(...kChannels.map((c) => sign * dot(all, bandsAt(point), c))));
+  const of = (sign) => largest(kSpirals(light.degree), (point) => Math.max(...kChannels.map((c) => sign * dot(all, bandsAt(point), c))));
   return { least: -of(-1), largest: of(1) };
+}
+
+// The basis at azimuth 0, integrated over sin(theta) d(theta); the polar factors of the orders from 0 on.
+function polarIntegrals(basis, degree, from, to) {
+  const sum = new Float64Array((degree + 1) ** 2), values = new Float64Array(sum.length);
+  for (const [node, weight] of kAlong) {
+    const theta = 0.5 * (from + to) + 0.5 * (to - from) * node;
+    basis(Math.sin(theta), 0, Math.cos(theta), values);
+    values.forEach((value, i) => { sum[i] += 0.5 * (to - from) * weight * Math.sin(theta) * value; });
+  }
+  return sum;
+}
+
+/**
+ * The light of a lat-long picture (prt/IMAGES.md): each pixel is a patch of constant radiance, over which the basis is
+ * integrated, as prt/light/project_image.cpp does.
+ */
+export function lightOfPicture({ kernels, degree }, { width, height, pixels }) {
+  if (width !== 2 * height) throw new FileError(`the picture is ${width} x ${height} pixels; a lat-long environment is twice as wide as high`);
+  const light = darkness(degree);
+  const step = (2 * Math.PI) / width, n = (degree + 1) ** 2;
+  const waves = Array.from({ length: 2 * degree + 1 }, (_, k) => {
+    const m = k - degree, order = Math.abs(m);
+    const extent = m === 0 ? step : (2 * Math.sin(0.5 * order * step)) / order;
+    return Float64Array.from({ length: width }, (_column, i) => {
+      const phi = Math.PI * (1 - (2 * i + 1) / width);  // the pixel's center
+      return extent * (m < 0 ? Math.sin(order * phi) : Math.cos(order * phi));
+    });
+  });
+  for (let row = 0; row < height; ++row) {
+    const polar = polarIntegrals(kernels[`basis_l${degree}`], degree, (row * Math.PI) / height, ((row + 1) * Math.PI) / height);
+    waves.forEach((wave, k) => {
+      const m = k - degree;
+      for (const c of kChannels) {
+        let sum = 0;
+        for (let i = 0; i < width; ++i) sum += wave[i] * pixels[3 * (row * width + i) + c];
+        for (let l = Math.abs(m); l <= degree; ++l) light.values[c * n + l * (l + 1) + m] += polar[l * (l + 1) + Math.abs(m)] * sum;
+      }
+    });
+  }
+  return light;
 }

@@ -1,29 +1,16 @@
 // The page: what it holds, the state, and a picture whenever something has changed.
-import { FileError, numbersOf } from './transfer_file.js';
-import { kernelsOf } from './kernels.js';
-import { inDegree, load, Relighter, turned } from './relight.js';
-import { capLight, extremes, lightOf, skyLight, sum, windowed } from './light.js';
-import { axesOf, defaultOrbit, directionsToClip, eyeOf, minus, orbitOf, plus, rayThrough, toClip } from './camera.js';
-import { fragmentOf, initialState, product, rotationOf, stateOf, turnAbout } from './state.js';
-import { vertexAlong } from './pick.js';
-import { boundsOf, DrawnMesh, Picture } from './picture.js';
+import { FileError } from './transfer_file.js';
+import { axesOf, defaultOrbit, directionsToClip, orbitOf, rayThrough } from './camera.js';
+import { fragmentOf, initialState, product, stateOf, turnAbout } from './state.js';
+import { plus } from './vectors.js';
+import { Picture } from './picture.js';
 import { Balls } from './ball.js';
-import { buildPanel, showVertex } from './panel.js';
+import { fileOf, Subject } from './subject.js';
+import { Lighting } from './lighting.js';
+import { lightOfFile } from './light_file.js';
+import { accentColor, element, lobeOf, showChosen, showComparison, showTheme, showTime, tell } from './overlay.js';
+import { buildPanel } from './panel.js';
 import { listen } from './input.js';
-
-const kMeanings = {
-  DU: 'transfer vector: its product with the light, times the albedo, is the radiance', DI: 'transfer vectors: their products with the light are the radiance',
-  GS: 'visibility: 1 where the vertex sees the sky', GU: 'nothing: the light itself reaches the vertex',
-};
-kMeanings.DS = kMeanings.DU;
-kMeanings.GI = kMeanings.GS;
-
-const element = (id) => document.getElementById(id);
-
-function tell(line) {
-  element('message').textContent = line;
-  element('message').hidden = line === '';
-}
 
 async function bytesOf({ name, data, url }) {
   if (url) {
@@ -48,73 +35,50 @@ function greyOf(tone) {
   return 1.055 * linear ** (1 / 2.4) - 0.055;
 }
 
-// Remembers the value that belongs to a key.
-function remembered() {
-  let last, value;
-  return (key, make) => {
-    if (key !== last) [last, value] = [key, make()];
-    return value;
-  };
-}
-
 class Viewer {
   constructor(data, canvas) {
     this.data = data;
     this.canvas = canvas;
     this.gl = canvas.getContext('webgl2', { antialias: true, alpha: false, powerPreference: 'high-performance' });
     if (!this.gl) throw new FileError('this browser has no WebGL 2, which the page needs: use a newer one, or switch graphics acceleration on');
-    this.page = { degree: data.degree, skies: data.skies, fejer: data.fejer, kernels: kernelsOf(data.kernels) };
-    this.given = lightOf(data.light);
-    this.dropped = null;
-    this.fileMeshes = [];
-    this.source = remembered();
-    this.cut = remembered();
-    this.final = remembered();
-    this.lit = new Map();  // file -> what it was relit with
+    this.lighting = new Lighting(data);
+    this.lit = new Map();  // subject -> what it was relit with
   }
 
   async start() {
-    for (const file of this.data.files) await this.addFile(file);
-    this.bounds = this.fileMeshes[0].bounds;
-    this.picture = new Picture(this.gl, this.data.shaders);
-    this.balls = new Balls(this.gl, this.data.shaders, this.data.kernels);
-    const first = initialState({ degree: this.data.degree, fileCount: this.data.files.length });
-    const orbit = this.data.camera ? orbitOf(this.data.camera) : defaultOrbit(this.bounds, this.aspect);
+    const { data, gl } = this;
+    const files = [];
+    for (const file of data.files) files.push(fileOf(file, await bytesOf(file), data.kernels));
+    this.subjects = data.subjects.map((subject, number) => new Subject(gl, subject, files, number));
+    this.picture = new Picture(gl, data.shaders);
+    this.balls = new Balls(gl, data.shaders, data.kernels);
+    const orbit = data.camera ? orbitOf(data.camera) : defaultOrbit(this.subjects[0].bounds, this.aspect);
     const kNarrow = 1.2;  // a camera of a scene sees less on a page that is higher than wide: it steps back
-    if (this.data.camera) orbit.distance *= Math.max(1, kNarrow / this.aspect);
-    this.begin = { ...first, ...orbit };
+    if (data.camera) orbit.distance *= Math.max(1, kNarrow / this.aspect);
+    this.begin = { ...initialState({ degree: data.degree, subjectCount: this.subjects.length }), ...orbit };
     this.state = this.valid(stateOf(location.hash.slice(1), this.begin));
     this.panel = buildPanel(element('controls'), {
-      files: this.data.files, degree: this.data.degree, given: this.data.light.name,
-      hasDropped: () => this.dropped?.name, isGlossy: () => this.fileMeshes.some(({ baked }) => baked.transfer.isGlossy),
-      canMatch: () => this.areAlike(),
-    }, (key, value) => this.set({ [key]: value }));
-    element('name').textContent = this.fileMeshes[0].baked.transfer.scene;
+      subjects: this.subjects, degree: data.degree, given: data.light.name,
+      hasDropped: () => this.lighting.dropped?.name, canMatch: () => this.areAlike(),
+    }, (key, value) => this.set({ [key]: value }), (file) => this.drop(file));
+    element('name').textContent = this.subjects[0].title;
     this.listen();
     this.panel.build(this.state);
     this.set({});
   }
 
-  async addFile(file) {
-    const bytes = await bytesOf(file);
-    try {
-      const baked = load(bytes, { shaders: file, kernels: this.data.kernels });
-      const relighter = new Relighter(this.gl, baked);
-      this.fileMeshes.push({ baked, relighter, mesh: new DrawnMesh(this.gl, relighter), bounds: boundsOf(baked.transfer), bytes: bytes.length, name: file.name });
-    } catch (error) {
-      throw error instanceof FileError ? new FileError(`${file.name}: ${error.message}`) : error;
-    }
-  }
-
   get aspect() { return this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight); }
+  get first() { return this.subjects[this.state.a]; }
+  get second() { return this.subjects[this.state.b]; }
 
   /** The state with what lies outside of its limits put right. */
   valid(state) {
     const clamp = (value, least, most) => Math.min(most, Math.max(least, value));
-    const files = this.data.files.length;
+    const subjects = this.subjects.length;
     const out = { ...state };
-    for (const key of ['a', 'b']) out[key] = clamp(Math.round(out[key]), 0, files - 1);
+    for (const key of ['a', 'b']) out[key] = clamp(Math.round(out[key]), 0, subjects - 1);
     out.degree = clamp(Math.round(out.degree), 0, this.data.degree);
+    out.time = clamp(out.time, 0, 1);
     out.sky = clamp(Math.round(out.sky), 1, 16);
     out.elevation = clamp(out.elevation, 0, 90);
     out.halfAngle = clamp(out.halfAngle, 0.01, 180);
@@ -124,8 +88,8 @@ class Viewer {
     if (!(out.distance > 0)) out.distance = this.begin.distance;
     out.fieldOfView = clamp(out.fieldOfView, 1, 170);
     if (Math.hypot(...out.turn) === 0) out.turn = [1, 0, 0, 0];
-    if (!(out.vertex >= 0 && out.vertex < this.fileMeshes[out.a].baked.transfer.vertices)) out.vertex = -1;
-    if (out.light === 'dropped' && !this.dropped) out.light = 'given';
+    if (!(out.vertex >= 0 && out.vertex < this.subjects[out.a].vertices)) out.vertex = -1;
+    if (out.light === 'dropped' && !this.lighting.dropped) out.light = 'given';
     return out;
   }
 
@@ -135,16 +99,17 @@ class Viewer {
     this.state = this.valid({ ...this.state, ...changes });
     if (lightChanges) this.exposureIsKnown = false;
     this.panel.show(this.state);
-    this.showTheme();
+    showTheme(this.state);
     clearTimeout(this.saving);
     this.saving = setTimeout(() => this.save(), 250);
     this.invalidate();
   }
 
+  // Waits until the user rests.
   save() {
     const fragment = fragmentOf(this.state, this.begin);
     history.replaceState(null, '', fragment ? `#${fragment}` : location.pathname + location.search);
-    this.showRinging();
+    element('ringing').textContent = this.lighting.ringingOf(this.state);
   }
 
   invalidate() {
@@ -154,60 +119,25 @@ class Viewer {
     });
   }
 
-  /** The light before its window: what the controls choose, in the degree of the page. */
-  sourceLight() {
-    const { light, sky, elevation, azimuth, sun, halfAngle, irradiance } = this.state;
-    return this.source(JSON.stringify([light, sky, elevation, azimuth, sun, halfAngle, irradiance, this.dropped?.name]), () => {
-      if (light === 'sky') {
-        const type = { type: sky, elevation: sky === 16 ? 90 : elevation, azimuth: sky === 16 ? 0 : azimuth };
-        const disc = { elevation, azimuth, halfAngle: 0.2666, irradiance: sky === 16 ? 0 : sun };
-        return sum(skyLight(this.page, type), capLight(this.page, disc));
-      }
-      if (light === 'cap') return capLight(this.page, { elevation, azimuth, halfAngle, irradiance });
-      return inDegree(light === 'dropped' ? this.dropped.light : this.given, this.page.degree);
-    });
-  }
-
-  /** Under its window, before its turn: {light, strength}, in the degree of the slider. */
-  windowedLight() {
-    const { degree, window: type, strength } = this.state;
-    const source = this.sourceLight();
-    return this.cut(JSON.stringify([degree, type, strength, this.sourceKey(source)]), () => windowed(this.page, inDegree(source, degree), type, strength));
-  }
-
-  sourceKey(source) {
-    this.keys ??= new WeakMap();
-    if (!this.keys.has(source)) this.keys.set(source, (this.lastKey = (this.lastKey ?? 0) + 1));
-    return this.keys.get(source);
-  }
-
-  /** The light that shines, in the degree of the page. */
-  light() {
-    const { light } = this.windowedLight();
-    return this.final(JSON.stringify([this.state.turn, this.sourceKey(light)]), () => (
-      turned(this.page.kernels, inDegree(light, this.page.degree), rotationOf(this.state.turn))));
-  }
-
-  relight(index) {
-    const { relighter, baked } = this.fileMeshes[index];
-    const { isGlossy, frame } = baked.transfer;
-    const { ownSurface, exponent, specular } = this.state;
-    const light = this.light();
-    const eye = minus(eyeOf(this.state), frame.origin).map((x) => x / frame.unit);
-    const key = JSON.stringify([this.sourceKey(light), isGlossy && [eye, ownSurface, exponent, specular]]);
-    if (this.lit.get(index) === key) return;
-    relighter.relight(light, { eye, surface: isGlossy && ownSurface ? { exponent, specular: [specular, specular, specular] } : null });
-    this.lit.set(index, key);
+  /** Relights a subject if something that it depends on has changed. */
+  relight(subject) {
+    const { state } = this;
+    const light = this.lighting.of(state);
+    const { ownSurface, exponent, specular, yaw, pitch, distance, target } = state;
+    subject.place(state.time);
+    const key = JSON.stringify([this.lighting.keyOf(light), subject.isStage && [subject.time, state.degree],
+                                subject.isGlossy && [yaw, pitch, distance, target, ownSurface, exponent, specular]]);
+    if (this.lit.get(subject) === key) return;
+    subject.relight(light, state.degree, state, subject.isGlossy && ownSurface ? { exponent, specular: [specular, specular, specular] } : null);
+    this.lit.set(subject, key);
     this.reference = undefined;
   }
 
-  /** Whether both files show one mesh, vertex by vertex. */
+  /** Whether both subjects show one mesh, vertex by vertex. */
   areAlike() {
-    const [a, b] = [this.state.a, this.state.b].map((index) => this.fileMeshes[index].baked.transfer.sections);
     this.alike ??= new Map();
     const key = `${this.state.a} ${this.state.b}`;
-    const same = (x, y) => x.length === y.length && x.every((value, i) => value === y[i]);
-    if (!this.alike.has(key)) this.alike.set(key, same(a.position, b.position) && same(a.face, b.face));
+    if (!this.alike.has(key)) this.alike.set(key, this.first.isLike(this.second));
     return this.alike.get(key);
   }
 
@@ -217,25 +147,33 @@ class Viewer {
     const scale = Math.min(window.devicePixelRatio || 1, 2);
     const [width, height] = [Math.max(1, Math.round(this.canvas.clientWidth * scale)), Math.max(1, Math.round(this.canvas.clientHeight * scale))];
     if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
-    try {
-      this.relight(state.a);
-      if (state.compare !== 'none') this.relight(state.b);
-      tell('');
-    } catch (error) {
-      if (!(error instanceof FileError)) throw error;
-      tell(`${this.fileMeshes[state.a].name}: ${error.message}`);
-    }
+    this.relightShown();
     this.measure();
     gl.viewport(0, 0, width, height);
     const grey = greyOf(state.tone);
     gl.clearColor(grey, grey, grey, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const look = { exposure: this.exposure, tone: state.tone };
-    if (state.background === 'light') this.balls.draw(this.light(), { ...look, toClip: directionsToClip(state, this.aspect), depth: false });
-    this.drawMeshes(width, height, look);
+    if (state.background === 'light') this.balls.draw(this.lighting.of(state), { ...look, toClip: directionsToClip(state, this.aspect), depth: false });
+    this.isDifference = state.compare === 'difference' && this.areAlike();
+    this.lobe = lobeOf(this.lighting.page.kernels, this.first, state.vertex);
+    this.drawSubjects(width, height, look);
     if (state.balls) this.drawBalls(scale, look);
-    this.showTime(began);
-    this.showPlaces();
+    showTime(gl, began);
+    showComparison(state, [this.first, this.second], this.isDifference, this.lobe !== null);
+    showChosen(this.first, state.vertex, this.canvas, (place) => this.first.clipOf(place, state, this.aspect));
+  }
+
+  relightShown() {
+    tell('');
+    for (const subject of this.state.compare === 'none' ? [this.first] : [this.first, this.second]) {
+      try {
+        this.relight(subject);
+      } catch (error) {
+        if (!(error instanceof FileError)) throw error;
+        tell(`${subject.name}: ${error.message}`);
+      }
+    }
   }
 
   get exposure() { return (this.state.exposure || this.measured) * 2 ** this.state.stops; }
@@ -244,29 +182,21 @@ class Viewer {
   measure() {
     if (this.exposureIsKnown || this.state.exposure > 0) return;
     this.exposureIsKnown = true;
-    this.measured = this.picture.measure(this.fileMeshes[this.state.a].mesh, this.clipOf(this.state.a, 16 / 9));
+    this.measured = this.picture.measure((mode) => this.first.draw(this.picture, this.state, 16 / 9, { mode }), () => this.first.read());
   }
 
-  clipOf(index, aspect = this.aspect) {
-    const { bounds, baked } = this.fileMeshes[index];
-    return toClip(this.state, aspect, bounds, baked.transfer.frame);
-  }
-
-  drawMeshes(width, height, look) {
-    const { gl, state } = this;
-    const { mesh, relighter } = this.fileMeshes[state.a];
-    const showsDifference = state.compare === 'difference' && this.areAlike();
-    if (showsDifference) {
-      mesh.compareWith(this.fileMeshes[state.b].relighter);
-      this.reference ??= Math.sqrt(relighter.read().reduce((total, value, _, all) => total + (value * value) / all.length, 0)) || 1;
+  drawSubjects(width, height, look) {
+    const { gl, state, picture, aspect } = this;
+    if (this.isDifference) {
+      this.reference ??= Math.sqrt(this.first.read().reduce((total, value, _, all) => total + (value * value) / all.length, 0)) || 1;
     }
     const middle = state.compare === 'wipe' ? Math.round(state.wipe * width) : width;
     gl.enable(gl.SCISSOR_TEST);
     gl.scissor(0, 0, middle, height);
-    this.picture.draw(mesh, { ...look, toClip: this.clipOf(state.a), mode: showsDifference ? 1 : 0, reference: this.reference });
+    this.first.draw(picture, state, aspect, { ...look, reference: this.reference }, this.isDifference ? this.second : null);
     if (state.compare === 'wipe') {
       gl.scissor(middle, 0, width - middle, height);
-      this.picture.draw(this.fileMeshes[state.b].mesh, { ...look, toClip: this.clipOf(state.b) });
+      this.second.draw(picture, state, aspect, look);
     }
     gl.disable(gl.SCISSOR_TEST);
   }
@@ -287,131 +217,18 @@ class Viewer {
       gl.viewport(x, y, size, size);
       this.balls.draw(light, { ...look, ...more, toClip: toBall });
     };
-    draw(0, this.light(), {});
-    const transfer = this.lobe();
-    if (transfer) draw(1, transfer.light, { lobe: 1 / transfer.most, accent: this.accent() });
-  }
-
-  accent() {
-    const hex = getComputedStyle(document.documentElement).getPropertyValue('--accent').trim();
-    return [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
-  }
-
-  // The transfer of the chosen vertex as a function on the sphere: {light, most}, most its largest absolute value.
-  lobe() {
-    const { vertex, a } = this.state;
-    const { transfer } = this.fileMeshes[a].baked;
-    if (vertex < 0 || transfer.shape.count === 0) return null;
-    this.lobes ??= remembered();
-    return this.lobes(`${a} ${vertex}`, () => {
-      const numbers = numbersOf(transfer, vertex);
-      const degree = Math.sqrt(transfer.shape.columns) - 1;
-      const values = transfer.shape.channels === 3 ? numbers : Float64Array.from([...numbers, ...numbers, ...numbers]);
-      const { least, largest } = this.extremesOf({ degree, values });
-      return { light: { degree, values }, most: Math.max(-least, largest, 1e-30) };
-    });
-  }
-
-  extremesOf(light) {
-    const evaluate = this.page.kernels[`evaluate_rgb_l${light.degree}`];
-    let least = Infinity, largest = -Infinity;
-    for (let k = 0, rgb = [0, 0, 0]; k < 2000; ++k) {
-      const z = 1 - (2 * k + 1) / 2000, angle = k * Math.PI * (3 - Math.sqrt(5)), r = Math.sqrt(1 - z * z);
-      evaluate(light.values, r * Math.cos(angle), r * Math.sin(angle), z, rgb);
-      [least, largest] = [Math.min(least, rgb[1]), Math.max(largest, rgb[1])];
-    }
-    return { least, largest };
-  }
-
-  // What of the light's sphere is negative, and what a window changes. Waits until the user rests.
-  showRinging() {
-    const note = element('ringing');
-    if (!note) return;
-    const source = inDegree(this.sourceLight(), this.state.degree);
-    const { light, strength } = this.windowedLight();
-    const before = extremes(this.page, source);
-    const after = this.state.window === 'none' ? before : extremes(this.page, light);
-    const part = (value) => `${(100 * (before.largest > 0 ? value / before.largest : 0)).toFixed(1)} %`;
-    note.textContent = this.state.window === 'none'
-      ? `Least radiance ${part(before.least)} of the peak.`
-      : `Least radiance ${part(after.least)} of the peak, ${part(before.least)} without; keeps ${part(after.largest)} of the peak` +
-        `${this.state.window === 'auto' ? `; strength ${strength.toFixed(3)}` : ''}.`;
-  }
-
-  showTime(began) {
-    const { gl } = this;
-    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.flush();
-    const look = () => {
-      const status = gl.clientWaitSync(fence, 0, 0);
-      if (status === gl.TIMEOUT_EXPIRED) return setTimeout(look, 1);
-      gl.deleteSync(fence);
-      element('time').textContent = `${(performance.now() - began).toFixed(1)} ms`;
-      return undefined;
-    };
-    setTimeout(look, 0);
-    const { baked, bytes } = this.fileMeshes[this.state.a];
-    const { kind, shape, vertices } = baked.transfer;
-    const stored = shape.count === 0 ? '' : `, ${shape.clusters ? `${shape.clusters} clusters` : shape.element}`;
-    element('facts').textContent = `${kind}, degree ${shape.degree}${stored} · ${vertices.toLocaleString('en')} vertices · ${(bytes / 2 ** 20).toFixed(2)} MiB`;
-  }
-
-  // What lies over the picture: the divider, the marker of the vertex, the scale, labels.
-  showPlaces() {
-    const { state, canvas } = this;
-    element('divider').hidden = state.compare !== 'wipe';
-    element('divider').style.left = `${100 * state.wipe}%`;
-    element('left').textContent = this.data.files[state.a].name;
-    element('right').textContent = this.data.files[state.b].name;
-    element('scale').hidden = !(state.compare === 'difference' && this.areAlike());
-    element('balls').hidden = !state.balls;
-    element('ball-lobe').hidden = !this.lobe();
-    const marker = element('marker');
-    marker.hidden = state.vertex < 0;
-    if (state.vertex < 0) return;
-    const { transfer } = this.fileMeshes[state.a].baked;
-    const p = [...transfer.sections.position.subarray(3 * state.vertex, 3 * state.vertex + 3), 1];
-    const m = this.clipOf(state.a);
-    const [x, y, , w] = [0, 1, 2, 3].map((row) => p.reduce((total, value, k) => total + m[row + 4 * k] * value, 0));
-    marker.style.left = `${((x / w + 1) / 2) * canvas.clientWidth}px`;
-    marker.style.top = `${((1 - y / w) / 2) * canvas.clientHeight}px`;
-    this.showNumbers(transfer);
-  }
-
-  showNumbers(transfer) {
-    const { vertex, a } = this.state;
-    const { origin, unit } = transfer.frame;
-    const three = (name) => transfer.sections[name].subarray(3 * vertex, 3 * vertex + 3);
-    showVertex(element('vertex'), {
-      vertex, position: [...three('position')].map((x, k) => origin[k] + unit * x), normal: three('normal'),
-      radiance: this.fileMeshes[a].relighter.read(vertex, 1), numbers: numbersOf(transfer, vertex), shape: transfer.shape, meaning: kMeanings[transfer.kind],
-    });
-  }
-
-  showTheme() {
-    const { theme } = this.state;
-    const dark = theme === 'dark' || (theme === 'system' && matchMedia('(prefers-color-scheme: dark)').matches);
-    document.documentElement.dataset.theme = dark ? 'dark' : 'light';
+    draw(0, this.lighting.of(this.state), {});
+    const transfer = this.lobe;
+    if (transfer) draw(1, transfer.light, { lobe: 1 / transfer.most, accent: accentColor() });
   }
 
   pick(x, y) {
-    const { baked } = this.fileMeshes[this.state.a];
-    const { origin, unit } = baked.transfer.frame;
-    const ray = rayThrough(this.state, this.aspect, (2 * x) / this.canvas.clientWidth - 1, 1 - (2 * y) / this.canvas.clientHeight);
-    this.set({ vertex: vertexAlong(baked.transfer, minus(eyeOf(this.state), origin).map((value) => value / unit), ray) });
-    if (this.state.vertex < 0) element('vertex').innerHTML = '<p class="note">Click the mesh.</p>';
+    this.set({ vertex: this.first.pick(this.state, rayThrough(this.state, this.aspect, (2 * x) / this.canvas.clientWidth - 1, 1 - (2 * y) / this.canvas.clientHeight)) });
   }
 
   async drop(file) {
     try {
-      if (!/\.json$/i.test(file.name)) throw new FileError('expected coefficients: the JSON that `prt project PICTURE --degree N` prints, for pictures too');
-      let json;
-      try {
-        json = JSON.parse(await file.text());
-      } catch (error) {
-        throw new FileError(`not JSON: ${error.message}`);
-      }
-      this.dropped = { name: file.name, light: lightOf(json) };
+      this.lighting.dropped = { name: file.name, light: await lightOfFile(this.lighting.page, file, this.data.served) };
       this.panel.build(this.state);
       this.exposureIsKnown = false;
       this.set({ light: 'dropped' });
@@ -423,7 +240,7 @@ class Viewer {
 
   key(key) {
     const { state } = this;
-    const compares = this.data.files.length > 1 ? ['none', 'wipe', 'difference'] : ['none'];
+    const compares = this.subjects.length > 1 ? ['none', 'wipe', 'difference'] : ['none'];
     const actions = {
       '[': () => ({ stops: state.stops - 0.5 }), ']': () => ({ stops: state.stops + 0.5 }),
       ',': () => ({ degree: state.degree - 1 }), '.': () => ({ degree: state.degree + 1 }),

@@ -15,13 +15,14 @@ const range = (key, label, min, max, step, unit = '', when = () => true) => ({ k
 const select = (key, label, options, when = () => true) => ({ kind: 'select', key, label, options, when });
 const toggle = (key, label, when = () => true) => ({ kind: 'toggle', key, label, when });
 
-function sectionsOf({ files, degree, given, hasDropped, isGlossy, canMatch }) {
-  const names = files.map((file, k) => [String(k), file.name]);
+function sectionsOf({ subjects, degree, given, hasDropped, canMatch }) {
+  const names = subjects.map(({ name }, k) => [String(k), name]);
   const isSky = (s) => s.light === 'sky', isCap = (s) => s.light === 'cap';
   const hasSun = (s) => isCap(s) || (isSky(s) && s.sky !== 16);
   return [
     ['Light', [
       select('light', 'Source', [['given', given], ['sky', 'Sky'], ['cap', 'Disc'], ...(hasDropped() ? [['dropped', hasDropped()]] : [])]),
+      { kind: 'file', key: 'file', label: 'Open a light…', accept: '.json,.hdr,.exr,.png,.jpg,.jpeg' },
       select('sky', 'Sky', kSkies.map((name, k) => [String(k + 1), `${k + 1}  ${name}`]), isSky),
       range('elevation', 'Elevation', 0, 90, 1, '°', hasSun),
       range('azimuth', 'Azimuth', -180, 180, 1, '°', hasSun),
@@ -33,19 +34,20 @@ function sectionsOf({ files, degree, given, hasDropped, isGlossy, canMatch }) {
       range('strength', 'Strength', 0, 1, 0.01, '', (s) => s.window !== 'none' && s.window !== 'auto'),
       { kind: 'text', id: 'ringing' },
     ]],
+    ...(subjects.some(({ moves }) => moves) ? [['Stage', [range('time', 'Time', 0, 1, 0.01)]]] : []),
     ['Picture', [
       range('stops', 'Exposure', -6, 6, 0.1, ' stops'),
       select('tone', 'Tone curve', [['neutral', 'Khronos PBR Neutral'], ['reinhard', 'Reinhard'], ['linear', 'Linear']]),
       select('background', 'Background', [['grey', 'Grey'], ['light', 'The light']]),
       toggle('balls', 'Show the light as a sphere'),
     ]],
-    ...(files.length > 1 ? [['Compare', [
+    ...(subjects.length > 1 ? [['Compare', [
       select('a', 'First', names),
       select('compare', 'Show', [['none', 'First alone'], ['wipe', 'Side by side'], ['difference', 'Difference']]),
       select('b', 'Second', names, (s) => s.compare !== 'none'),
-      { kind: 'text', id: 'comparison', of: (s) => (s.compare === 'difference' && !canMatch(s) ? 'These files have different meshes: no difference by vertices.' : kHints[s.compare]) },
+      { kind: 'text', id: 'comparison', of: (s) => (s.compare === 'difference' && !canMatch(s) ? 'These have different meshes: no difference by vertices.' : kHints[s.compare]) },
     ]]] : []),
-    ...(isGlossy() ? [['Surface', [
+    ...(subjects.some(({ isGlossy }) => isGlossy) ? [['Surface', [
       toggle('ownSurface', 'One lobe for all'),
       range('exponent', 'Exponent', 0, 200, 1, '', (s) => s.ownSurface),
       range('specular', 'Reflectance', 0, 1, 0.01, '', (s) => s.ownSurface),
@@ -61,12 +63,20 @@ const make = (tag, attributes = {}, ...children) => {
 
 const formatted = (value, { step, unit }) => `${Number(value).toFixed(step >= 1 ? 0 : step >= 0.1 ? 1 : 2)}${unit}`;
 
-/** Builds the controls into `place`; change(key, value) is called with what the user sets. Returns a function that shows a state. */
-export function buildPanel(place, page, change) {
+/**
+ * Builds the controls into `place`; change(key, value) is called with what the user sets, openFile(file) with a file. Returns
+ * functions that build the controls and show a state.
+ */
+export function buildPanel(place, page, change, openFile) {
   const rows = [];
   const controlOf = (row, state) => {
     if (row.kind === 'text') return [make('p', { className: 'note', id: row.id })];
     const id = `control-${row.key}`;
+    if (row.kind === 'file') {
+      const input = make('input', { type: 'file', id, accept: row.accept });
+      input.addEventListener('change', () => { if (input.files.length > 0) openFile(input.files[0]); });
+      return [input, make('label', { htmlFor: id, textContent: row.label })];
+    }
     if (row.kind === 'toggle') {
       const box = make('input', { type: 'checkbox', id });
       box.addEventListener('change', () => change(row.key, box.checked));
@@ -107,14 +117,14 @@ export function buildPanel(place, page, change) {
   };
 }
 
-/** What the page tells of a vertex: a table of facts, and its coefficients as bars. */
-export function showVertex(place, { vertex, position, normal, radiance, numbers, shape, meaning }) {
+/** What the page tells of a vertex: a table of facts, and its coefficients as bars. name: of its file on a stage, else empty. */
+export function showVertex(place, { name, vertex, position, normal, radiance, numbers, shape, meaning }) {
   const three = (values) => [...values].map((value) => value.toPrecision(4)).join('  ');
-  const facts = [['Vertex', String(vertex)], ['Position', three(position)], ['Normal', three(normal)], ['Radiance', three(radiance)]];
+  const facts = [...(name ? [['Object', name]] : []), ['Vertex', String(vertex)], ['Position', three(position)], ['Normal', three(normal)], ['Radiance', three(radiance)]];
   const channels = shape.channels === 3 ? ['red', 'green', 'blue'] : [''];
   const most = numbers.reduce((largest, value) => Math.max(largest, Math.abs(value)), 1e-30);
-  const bars = channels.map((name, c) => {
-    const list = make('ol', { className: 'bars', start: 0, ariaLabel: `${meaning} ${name}` });
+  const bars = channels.map((channel, c) => {
+    const list = make('ol', { className: 'bars', start: 0, ariaLabel: `${meaning} ${channel}` });
     for (const [i, value] of [...numbers.subarray(c * shape.count, (c + 1) * shape.count)].entries()) {
       const l = Math.floor(Math.sqrt(i));
       const bar = make('li', { title: `l = ${l}, m = ${i - l * l - l}: ${value.toPrecision(5)}`, className: value < 0 ? 'negative' : '' });

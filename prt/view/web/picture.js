@@ -1,17 +1,17 @@
 // Draws relit meshes, and measures the exposure as `prt render` does.
 import { programOf } from './relight.js';
+import { minus } from './vectors.js';
 
 const kTones = ['neutral', 'reinhard', 'linear'];
 
-/** The sphere around the box of the positions, in the world. */
-export function boundsOf({ sections: { position }, frame: { origin, unit } }) {
+/** The sphere around the box of points; each(visit) calls visit(point) for them. */
+export function sphereAround(each) {
   const least = [Infinity, Infinity, Infinity], most = [-Infinity, -Infinity, -Infinity];
-  position.forEach((x, i) => {
-    least[i % 3] = Math.min(least[i % 3], x);
-    most[i % 3] = Math.max(most[i % 3], x);
-  });
-  const center = least.map((x, k) => origin[k] + (unit * (x + most[k])) / 2);
-  return { center, radius: (unit * Math.hypot(...least.map((x, k) => most[k] - x))) / 2 };
+  each((point) => point.forEach((x, k) => {
+    least[k] = Math.min(least[k], x);
+    most[k] = Math.max(most[k], x);
+  }));
+  return { center: least.map((x, k) => (x + most[k]) / 2), radius: Math.hypot(...minus(most, least)) / 2 };
 }
 
 /** The factor that brings the 95th percentile of the brightest channels to 0.7; 1 if everything is black. */
@@ -21,24 +21,25 @@ export function exposureOf(brightest) {
   return value > 0 ? 0.7 / value : 1;
 }
 
-function lookUp(gl, program, names) {
-  return Object.fromEntries(names.map((name) => [name, gl.getUniformLocation(program, name)]));
-}
-
 /** A mesh on the GPU beside its Relighter. */
 export class DrawnMesh {
   constructor(gl, relighter) {
     this.gl = gl;
     this.relighter = relighter;
-    this.indices = gl.createBuffer();
     this.count = relighter.baked.transfer.sections.face.length;
+    this.indices = gl.createBuffer();
     this.arrays = gl.createVertexArray();
-    gl.bindVertexArray(this.arrays);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
+    this.giveFaces(this.arrays);
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, relighter.baked.transfer.sections.face, gl.STATIC_DRAW);
+    this.giveFaces(relighter.arrays);
     this.point(0, relighter.buffers.position);
     this.point(1, relighter.radiance);
-    this.compareWith(relighter);
+    this.point(2, relighter.radiance);
+  }
+
+  giveFaces(arrays) {
+    this.gl.bindVertexArray(arrays);
+    this.gl.bindBuffer(this.gl.ELEMENT_ARRAY_BUFFER, this.indices);
   }
 
   point(location, buffer) {
@@ -52,26 +53,58 @@ export class DrawnMesh {
   }
 
   /** The other transfer of a difference. */
-  compareWith(relighter) { this.point(2, relighter.radiance); }
+  compareWith(relighter) {
+    relighter.refresh();
+    this.point(2, relighter.radiance);
+  }
+
+  /** Whether its pixels are shaded, not its vertices: glossy ones, where the GPU hands on so many numbers. */
+  get hasPixels() {
+    const { pixels } = this.relighter.baked.runtime.shaders;
+    return Boolean(pixels) && pixels.vectors <= this.gl.getParameter(this.gl.MAX_VARYING_VECTORS);
+  }
+
+  pixelProgram(shaders) {
+    const { vertex, fragment } = this.relighter.baked.runtime.shaders.pixels;
+    this.program ??= programOf(this.gl, vertex, `${fragment}\n${shaders['tone.glsl']}${shaders['picture_pixels.frag']}`);
+    return this.program;
+  }
 }
 
 export class Picture {
   constructor(gl, shaders) {
     this.gl = gl;
+    this.shaders = shaders;
     this.program = programOf(gl, shaders['picture.vert'], `#version 300 es\n${shaders['tone.glsl']}${shaders['picture.frag']}`);
-    this.uniforms = lookUp(gl, this.program, ['to_clip', 'exposure', 'tone', 'mode', 'reference']);
   }
 
-  /** Draws a mesh over what is there. Where two sides of a sheet coincide, the one that faces the eye is seen. */
+  // Mode 1 compares vertices: it takes their radiance.
+  use(mesh, mode) {
+    const gl = this.gl;
+    if (mode !== 1 && mesh.hasPixels) {
+      const program = mesh.pixelProgram(this.shaders);
+      mesh.relighter.use(program, mesh.relighter.arrays);
+      return program;
+    }
+    mesh.relighter.refresh();
+    gl.useProgram(this.program);
+    gl.bindVertexArray(mesh.arrays);
+    return this.program;
+  }
+
+  /**
+   * Draws a relit mesh over what is there. Where two sides of a sheet coincide, the one that faces the eye is seen.
+   * mode: 0 the picture, 1 false colors of the difference, 2 radiance.
+   */
   draw(mesh, { toClip, exposure = 1, tone = 'neutral', mode = 0, reference = 1 }) {
     const gl = this.gl;
-    gl.useProgram(this.program);
-    gl.uniformMatrix4fv(this.uniforms.to_clip, false, toClip);
-    gl.uniform1f(this.uniforms.exposure, exposure);
-    gl.uniform1i(this.uniforms.tone, kTones.indexOf(tone));
-    gl.uniform1i(this.uniforms.mode, mode);
-    gl.uniform1f(this.uniforms.reference, reference);
-    gl.bindVertexArray(mesh.arrays);
+    const program = this.use(mesh, mode);
+    const place = (name) => gl.getUniformLocation(program, name);
+    gl.uniformMatrix4fv(place('to_clip'), false, toClip);
+    gl.uniform1f(place('exposure'), exposure);
+    gl.uniform1i(place('tone'), kTones.indexOf(tone));
+    gl.uniform1i(place('mode'), mode);
+    gl.uniform1f(place('reference'), reference);
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LEQUAL);
     gl.enable(gl.CULL_FACE);
@@ -86,11 +119,11 @@ export class Picture {
     gl.bindVertexArray(null);
   }
 
-  /** The exposure of a small picture of linear radiance; without buffers of floats that of the vertices. */
-  measure(mesh, toClip) {
+  /** The exposure of a small picture that draw(mode) draws; without buffers of floats that of the vertices' radiance(). */
+  measure(draw, radiance) {
     const gl = this.gl;
     const width = 240, height = 135;
-    if (!gl.getExtension('EXT_color_buffer_float')) return exposureOf(mesh.relighter.read());
+    if (!gl.getExtension('EXT_color_buffer_float')) return exposureOf(radiance());
     const target = gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, target);
     const buffers = [[gl.RGBA32F, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]].map(([format, point]) => {
@@ -103,7 +136,7 @@ export class Picture {
     gl.viewport(0, 0, width, height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    this.draw(mesh, { toClip, mode: 2 });
+    draw(2);
     const pixels = new Float32Array(4 * width * height);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);

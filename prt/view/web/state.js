@@ -1,9 +1,9 @@
 // What the user sees, as plain values, and the URL's fragment that restores it. Only what differs from the start is written.
 
 /** The state of a page without a fragment. */
-export function initialState({ degree, fileCount }) {
+export function initialState({ degree, subjectCount }) {
   return {
-    a: 0, b: fileCount > 1 ? 1 : 0, compare: 'none', wipe: 0.5,
+    a: 0, b: subjectCount > 1 ? 1 : 0, compare: 'none', wipe: 0.5, time: 0,
     light: 'given', sky: 12, elevation: 40, azimuth: -120, sun: 2, halfAngle: 10, irradiance: 3, turn: [1, 0, 0, 0],
     degree, window: 'none', strength: 0.5,
     stops: 0, exposure: 0, tone: 'neutral', background: 'grey',

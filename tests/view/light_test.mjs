@@ -1,0 +1,113 @@
+// Files as lights of a page: given at export, dropped on it, or sent to the server of `prt view --serve`.
+import assert from 'node:assert';
+import fs from 'node:fs';
+import { before, test } from 'node:test';
+import { drop, inFolder, message, prt, radianceOf, radianceOfPly, refusal, relativeDifference, scene, set, spawnPrt, statusOf, withAddress, withPage } from './browser.mjs';
+import { rgbeSky, writeExr, writeHdr, writeOldHdr } from './light_pictures.mjs';
+
+const kWidth = 64;
+const kSky = rgbeSky(kWidth);
+
+before(() => {
+  scene('box.json', { bake: { directions: 128 } });
+  prt('bake', 'box.json', '-o', 'box.transfer', '--no-checkpoint', '--plan', 'none');
+  prt('view', 'box.transfer', '-o', 'box.html');
+  writeHdr('sky.hdr', kWidth, kSky);
+  writeHdr('plain.hdr', kWidth, kSky, { isEncoded: false, lines: ['EXPOSURE=2', '# a comment', 'EXPOSURE=0.25'] });
+  writeOldHdr('old.hdr');
+  writeHdr('narrow.hdr', 4, rgbeSky(4), { isEncoded: false });
+  writeExr('sky.exr', kWidth, kSky);
+});
+
+const coefficientsOf = (name, degree = 4) => JSON.parse(prt('project', name, '--degree', degree)).coefficients.flat();
+
+async function isDropped(page, name) {
+  await drop(page, name, fs.readFileSync(inFolder(name)));
+  await page.waitForFunction((file) => viewer.lighting.dropped?.name === file, name);
+  await set(page, {});
+  assert.equal(await message(page), '');
+  assert.equal(await page.evaluate(() => viewer.state.light), 'dropped');
+  return page.evaluate(() => [...viewer.lighting.dropped.light.values]);
+}
+
+test('A picture in .hdr that is dropped on the page is the light of prt project', async () => {
+  await withPage('box.html', async (page) => {
+    for (const name of ['sky.hdr', 'plain.hdr', 'old.hdr', 'narrow.hdr']) {
+      const difference = relativeDifference(await isDropped(page, name), coefficientsOf(name));
+      console.log(`  ${name}: largest difference ${difference.toExponential(2)}`);
+      assert.ok(difference < 1e-6, `${name}: ${difference}`);
+      prt('relight', 'box.transfer', '--light', name, '-o', 'dropped.ply');
+      assert.ok(relativeDifference(await radianceOf(page), radianceOfPly('dropped.ply')) <= 2e-6, name);
+    }
+    assert.ok(Math.abs(coefficientsOf('plain.hdr')[0] / coefficientsOf('sky.hdr')[0] - 2) < 1e-6, 'exposures divide');
+  });
+});
+
+test('A file that is chosen, not dropped, is the light, too', async () => {
+  await withPage('box.html', async (page) => {
+    await page.setInputFiles('#control-file', inFolder('sky.hdr'));
+    await page.waitForFunction(() => viewer.state.light === 'dropped');
+    assert.ok(relativeDifference(await page.evaluate(() => [...viewer.lighting.dropped.light.values]), coefficientsOf('sky.hdr')) < 1e-6);
+  });
+});
+
+test('Pictures that are damaged or do not fit are refused with the words of prt', async () => {
+  const bytes = fs.readFileSync(inFolder('sky.hdr'));
+  const text = (change) => Buffer.concat([Buffer.from(change(bytes.subarray(0, 100).toString('latin1')), 'latin1'), bytes.subarray(100)]);
+  const rows = bytes.indexOf('+X 64\n') + 6;
+  const changed = (at, value) => Buffer.from(bytes.map((byte, i) => (i === at ? value : byte)));
+  const cases = [['half', bytes.subarray(0, bytes.length / 2)], ['header', bytes.subarray(0, 20)], ['format', text((all) => all.replace('rle_rgbe', 'rle_xyze'))],
+                 ['none', text((all) => all.replace('FORMAT', 'FORMAL'))], ['exposure', text((all) => all.replace('FORMAT', 'EXPOSURE=-1\nFORMAT'))],
+                 ['size', text((all) => all.replace('-Y 32 +X 64', '+Y 32 +X 64'))], ['shape', text((all) => all.replace('-Y 32 +X 64', '-Y 16 +X 64'))],
+                 ['length', changed(rows + 3, 65)], ['run', changed(rows + 4, 255)]];
+  await withPage('box.html', async (page) => {
+    for (const [what, damaged] of cases) {
+      fs.writeFileSync(inFolder('bad.hdr'), damaged);
+      await drop(page, 'bad.hdr', damaged);
+      await page.waitForFunction(() => !document.getElementById('message').hidden);
+      assert.equal(await message(page), refusal('project', 'bad.hdr'), what);
+      assert.equal(await page.evaluate(() => viewer.state.light), 'given');
+      await set(page, {});
+    }
+    for (const [name, content, line] of [
+      ['c.exr', '', /^c\.exr: of pictures this page reads \.hdr alone: drop the JSON of `prt project c\.exr --degree 4`, or open the page with `prt view --serve`$/],
+      ['d.txt', 'light', /^d\.txt: expected a light: the JSON of `prt project`, or a lat-long picture$/],
+      ['e.json', JSON.stringify({ degree: 0, coefficients: [[1e300], [0], [0]] }), /^e\.json: the lights exceed single precision; expected weaker ones, below 1e37$/],
+    ]) {
+      await drop(page, name, Buffer.from(content));
+      await page.waitForFunction((start) => document.getElementById('message').textContent.startsWith(start), name);
+      assert.match(await message(page), line);
+    }
+  });
+});
+
+test('A picture that is given at export is the light of the page', async () => {
+  for (const name of ['sky.hdr', 'sky.exr']) {
+    prt('view', 'box.transfer', '--light', name, '--turn', 70, '-o', 'given.html');
+    prt('relight', 'box.transfer', '--light', name, '--turn', 70, '-o', 'given.ply');
+    await withPage('given.html', async (page) => {
+      assert.ok(relativeDifference(await radianceOf(page), radianceOfPly('given.ply')) <= 2e-6, name);
+      assert.equal(await page.evaluate(() => document.querySelector('#control-light option').textContent), 'sky');
+    });
+  }
+  assert.match(refusal('view', 'box.transfer', '--light', 'narrow.exr', '-o', 'bad.html'), /^narrow\.exr: /);
+});
+
+test('The server of a page reads every picture, and refuses in the words of prt', async () => {
+  const server = spawnPrt('view', 'box.transfer', '--serve');
+  try {
+    const address = await server.line(/http:\/\/127\.0\.0\.1:\d+\//);
+    await withAddress(address, async (page) => {
+      assert.ok(relativeDifference(await isDropped(page, 'sky.exr'), coefficientsOf('sky.exr')) < 1e-12);
+    });
+    const answer = await fetch(`${address}project?degree=4`, { method: 'POST', body: Buffer.from('no picture') });
+    fs.writeFileSync(inFolder('no.exr'), 'no picture');
+    assert.equal(answer.status, 400);
+    assert.equal(`no.exr: ${await answer.text()}`, refusal('project', 'no.exr'));
+    assert.equal((await fetch(`${address}project?degree=99`, { method: 'POST', body: kSky })).status, 400);
+    assert.equal((await fetch(`${address}project`, { method: 'POST', body: kSky })).status, 400);
+    assert.equal(await statusOf(`${address}project`, '127.0.0.1'), 404);
+  } finally {
+    assert.equal(await server.end(), 0);
+  }
+});
