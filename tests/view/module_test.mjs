@@ -1,8 +1,10 @@
 // The module that `prt view` writes for other pages: in three.js, and by its own class.
 import assert from 'node:assert';
+import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { before, test } from 'node:test';
 import { inFolder, prt, radianceOfPly, relativeDifference, scene, withServedPage, writeJson } from './browser.mjs';
 import { decoded, pictureOf, rootMeanSquare } from './pictures.mjs';
@@ -63,5 +65,31 @@ test('Relighter gives the radiance of prt relight, and refuses what is no file o
       assert.ok(relativeDifference(Float32Array.from(await page.evaluate(() => radiance)), radianceOfPly('demo.ply')) < 2e-6);
       assert.equal(await page.evaluate(() => refusal), 'damaged transfer file: the checksum of its section table differs');
     }, kSize);
+  }
+});
+
+test('The types of the module fit a strict use, and name what the module has', async () => {
+  const folder = inFolder('types');
+  fs.mkdirSync(folder);
+  fs.copyFileSync(new URL('../../prt/view/relight.d.ts', import.meta.url), path.join(folder, 'relight.d.ts'));
+  fs.copyFileSync(new URL('use_of_module.ts', import.meta.url), path.join(folder, 'use.ts'));
+  const compiler = createRequire(import.meta.url).resolve('typescript/bin/tsc');
+  const run = spawnSync(process.execPath, [compiler, '--strict', '--noEmit', '--noUncheckedIndexedAccess', '--target', 'es2022', '--module', 'es2022',
+    '--lib', 'es2022,dom', '--moduleResolution', 'bundler', path.join(folder, 'use.ts')], { encoding: 'utf8' });
+  assert.equal(run.stdout + run.stderr, '');
+  assert.equal(run.status, 0);
+  // What the types name as values, the module exports; and its class has those members.
+  bake('shadowed', {});
+  const types = fs.readFileSync(path.join(folder, 'relight.d.ts'), 'utf8');
+  const names = [...types.matchAll(/^export (?:class|const|function) (\w+)/gm)].map(([, name]) => name);
+  fs.copyFileSync(inFolder('relight.js'), path.join(folder, 'relight.mjs'));
+  const module = await import(pathToFileURL(path.join(folder, 'relight.mjs')).href);
+  for (const name of names) assert.ok(name in module, `${name} is exported`);
+  const [, members] = /export class Relighter \{([^]*?)\n\}/.exec(types);
+  for (const [, name] of members.matchAll(/^ {2}(\w+)\(/gm)) assert.ok(name === 'constructor' || name in module.Relighter.prototype, name);
+  const baked = module.load(new Uint8Array(fs.readFileSync(inFolder('demo.transfer'))), module.runtime);
+  for (const [type, value] of [['Baked', baked], ['Transfer', baked.transfer], ['Shape', baked.transfer.shape], ['Runtime', module.runtime], ['Attribute', baked.attributes[0]], ['NumberTexture', baked.textures[0]]]) {
+    const [, body] = new RegExp(`export interface ${type} \\{([^]*?)\\n\\}`).exec(types);
+    for (const [, name] of body.matchAll(/^ {2}(\w+):/gm)) assert.ok(name in value, `${type}.${name}`);
   }
 });
