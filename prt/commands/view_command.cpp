@@ -79,7 +79,7 @@ void report_overlaps(const Stage& stage, OnFlaw flaws) {
 void add_stage(const std::string& file, const ViewCommand& options, Chosen& chosen) {
   Stage stage = load_stage(file, options.transfers);
   report_overlaps(stage, on_flaw(options.light.strict));
-  ViewedSubject subject{name_of(file), {}, stage.objects};
+  ViewedSubject subject{name_of(file), stage.name, {}, stage.objects};
   std::map<const Transfer*, std::size_t> places;
   for (const StageObject& object : stage.objects) {
     const auto [place, is_new] = places.emplace(object.transfer.get(), chosen.viewed.files.size());
@@ -99,8 +99,9 @@ Chosen all_chosen(const ViewCommand& options) {
     if (file.ends_with(".json")) {
       add_stage(file, options, chosen);
     } else {
-      chosen.viewed.subjects.push_back({name_of(file), {chosen.viewed.files.size()}, {}});
+      const std::size_t place = chosen.viewed.files.size();
       chosen.viewed.files.push_back(viewed(file));
+      chosen.viewed.subjects.push_back({name_of(file), chosen.viewed.files.back().transfer->scene, {place}, {}});
     }
   }
   return chosen;

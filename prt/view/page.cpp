@@ -29,10 +29,10 @@ constexpr std::pair<std::string_view, std::string_view> kTexts[] = {
 
 /// In the order in which they need each other.
 constexpr std::string_view kModule[] = {"checksum.js", "transfer_file.js", "kernels.js", "relight.js"};
-constexpr std::string_view kPage[] = {"vectors.js",       "stage.js",      "camera.js", "pixels.js",   "light.js",
-                                      "radiance_file.js", "light_file.js", "state.js",  "lighting.js", "pick.js",
-                                      "picture.js",       "subject.js",    "ball.js",   "input.js",    "panel.js",
-                                      "overlay.js",       "main.js"};
+constexpr std::string_view kPage[] = {"vectors.js",       "stage.js",      "camera.js",  "pixels.js",   "light.js",
+                                      "radiance_file.js", "light_file.js", "state.js",   "embedded.js", "lighting.js",
+                                      "pick.js",          "picture.js",    "subject.js", "ball.js",     "input.js",
+                                      "panel.js",         "overlay.js",    "main.js"};
 constexpr std::string_view kShaders[] = {"tone.glsl",           "picture.vert", "picture.frag",
                                          "picture_pixels.frag", "ball.vert",    "ball.frag"};
 
@@ -229,7 +229,7 @@ Json json_of(const ViewedSubject& subject) {
     objects.push_back(subject.objects.empty() ? Json{{"file", subject.files[i]}}
                                               : json_of(subject.objects[i], subject.files[i]));
   }
-  return {{"name", subject.name}, {"objects", objects}};
+  return {{"name", subject.name}, {"title", subject.title}, {"objects", objects}};
 }
 
 /// The template with `value` in place of {{name}}.
@@ -270,7 +270,7 @@ std::string viewer_page(const Viewed& viewed, const ViewedLight& light, const st
   fill("style", text_of("style.css"), page);
   fill("modules", joined(kModule, false) + joined(kPage, false), page);
   fill("data", script_of(data), page);
-  fill("title", escaped(viewed.subjects.front().name), page);
+  fill("title", escaped(viewed.subjects.front().title), page);
   return page;
 }
 

@@ -23,7 +23,8 @@ struct ViewedFile {
 
 /// What a page shows at a time: a transfer file, or the objects of a stage.
 struct ViewedSubject {
-  std::string name;
+  std::string name;                  // of its file
+  std::string title;                 // of its scene
   std::vector<std::size_t> files;    // of each object: its place among those of the page
   std::vector<StageObject> objects;  // how they stand on their stage; empty for a transfer file
 };

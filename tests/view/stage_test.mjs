@@ -56,6 +56,21 @@ test('Radiance is that of prt relight, at several times and degrees, under a tur
   });
 });
 
+test('A stage plays until it is told to rest', async () => {
+  await withPage('stage.html', async (page) => {
+    await set(page, { time: 0.99 });
+    await page.focus('#view');
+    await page.keyboard.press('Space');
+    await page.waitForFunction(() => viewer.state.time > 0 && viewer.state.time < 0.9);
+    await page.keyboard.press('Space');
+    await set(page, {});
+    const time = await page.evaluate(() => viewer.state.time);
+    await set(page, {});
+    assert.equal(await page.evaluate(() => viewer.state.time), time);
+    assert.equal(await page.textContent('#name'), 'turning');
+  });
+});
+
 test('Pictures of a stage are those of prt render', async () => {
   prt('render', 'stage.json', '-o', 'stage.png', '--frames', 2, '--width', kWidth, '--height', kHeight, '--background', 'grey', '--fixed-exposure', 0.5);
   await withPage('stage.html', async (page) => {

@@ -1,5 +1,6 @@
 // Draws functions on the sphere: the light as a ball or as the background, transfer as a lobe.
 import { programOf } from './relight.js';
+import { axesOf } from './camera.js';
 
 const kColumns = 96, kRows = 48;
 const kHead = '#version 300 es\n';
@@ -42,5 +43,26 @@ export class Balls {
     depth ? gl.enable(gl.DEPTH_TEST) : gl.disable(gl.DEPTH_TEST);
     gl.drawArrays(gl.TRIANGLES, 0, 6 * kColumns * kRows);
     gl.bindVertexArray(null);
+  }
+
+  /**
+   * The light as seen from outside, and a lobe {light, most, accent} or null beside it: in the lower left corner, turned as
+   * the camera sees them. scale: pixels of the GPU a pixel of the page.
+   */
+  drawCorner(camera, scale, look, light, lobe) {
+    const gl = this.gl;
+    const isNarrow = window.innerWidth <= 720;  // as style.css has it
+    const size = (isNarrow ? 88 : 128) * scale;
+    const { right, up, back } = axesOf(camera);
+    const toBall = [0, 1, 2].flatMap((k) => [0.95 * right[k], 0.95 * up[k], -0.5 * back[k], 0]).concat(0, 0, 0, 1);
+    [[light, {}], ...(lobe ? [[lobe.light, { lobe: 1 / lobe.most, accent: lobe.accent }]] : [])].forEach(([of, more], column) => {
+      const [x, y] = [(12 + column * (size / scale + 12)) * scale, (isNarrow ? 22 : 50) * scale];
+      gl.enable(gl.SCISSOR_TEST);
+      gl.scissor(x, y, size, size);
+      gl.clear(gl.DEPTH_BUFFER_BIT);
+      gl.disable(gl.SCISSOR_TEST);
+      gl.viewport(x, y, size, size);
+      this.draw(of, { ...look, ...more, toClip: toBall });
+    });
   }
 }

@@ -1,9 +1,10 @@
 // The page: what it holds, the state, and a picture whenever something has changed.
 import { FileError } from './transfer_file.js';
 import { axesOf, defaultOrbit, directionsToClip, orbitOf, rayThrough } from './camera.js';
-import { fragmentOf, initialState, product, stateOf, turnAbout } from './state.js';
+import { fragmentOf, initialState, product, stateOf, turnAbout, validState } from './state.js';
+import { bytesOf } from './embedded.js';
 import { plus } from './vectors.js';
-import { Picture } from './picture.js';
+import { greyOf, Picture } from './picture.js';
 import { Balls } from './ball.js';
 import { fileOf, Subject } from './subject.js';
 import { Lighting } from './lighting.js';
@@ -11,29 +12,6 @@ import { lightOfFile } from './light_file.js';
 import { accentColor, element, lobeOf, showChosen, showComparison, showTheme, showTime, tell } from './overlay.js';
 import { buildPanel } from './panel.js';
 import { listen } from './input.js';
-
-async function bytesOf({ name, data, url }) {
-  if (url) {
-    const answer = await fetch(url).catch(() => ({ ok: false }));
-    if (!answer.ok) throw new FileError(`${name}: the server of this page does not answer: start \`prt view --serve\` again`);
-    return new Uint8Array(await answer.arrayBuffer());
-  }
-  const text = atob(data);
-  const packed = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
-  try {
-    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-    return new Uint8Array(await new Response(stream).arrayBuffer());
-  } catch {
-    throw new FileError(`${name}: the page is damaged where it holds this file; write it again with \`prt view\``);
-  }
-}
-
-// The color of what is not covered by the mesh: 0.3 after exposure, as `prt render` has it.
-function greyOf(tone) {
-  const linear = { neutral: 0.3 - 0.04, reinhard: 0.3 / 1.3, linear: 0.3 }[tone];
-  return 1.055 * linear ** (1 / 2.4) - 0.055;
-}
 
 class Viewer {
   constructor(data, canvas) {
@@ -61,37 +39,19 @@ class Viewer {
       subjects: this.subjects, degree: data.degree, given: data.light.name,
       hasDropped: () => this.lighting.dropped?.name, canMatch: () => this.areAlike(),
     }, (key, value) => this.set({ [key]: value }), (file) => this.drop(file));
-    element('name').textContent = this.subjects[0].title;
+    element('name').textContent = data.subjects[0].title;
     this.listen();
     this.panel.build(this.state);
     this.set({});
   }
 
+  valid(state) {
+    return validState(state, { begin: this.begin, degree: this.data.degree, hasDropped: this.lighting.dropped !== null, vertices: this.subjects.map(({ vertices }) => vertices) });
+  }
+
   get aspect() { return this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight); }
   get first() { return this.subjects[this.state.a]; }
   get second() { return this.subjects[this.state.b]; }
-
-  /** The state with what lies outside of its limits put right. */
-  valid(state) {
-    const clamp = (value, least, most) => Math.min(most, Math.max(least, value));
-    const subjects = this.subjects.length;
-    const out = { ...state };
-    for (const key of ['a', 'b']) out[key] = clamp(Math.round(out[key]), 0, subjects - 1);
-    out.degree = clamp(Math.round(out.degree), 0, this.data.degree);
-    out.time = clamp(out.time, 0, 1);
-    out.sky = clamp(Math.round(out.sky), 1, 16);
-    out.elevation = clamp(out.elevation, 0, 90);
-    out.halfAngle = clamp(out.halfAngle, 0.01, 180);
-    out.pitch = clamp(out.pitch, -89.5, 89.5);
-    out.stops = clamp(out.stops, -64, 64);
-    out.wipe = clamp(out.wipe, 0, 1);
-    if (!(out.distance > 0)) out.distance = this.begin.distance;
-    out.fieldOfView = clamp(out.fieldOfView, 1, 170);
-    if (Math.hypot(...out.turn) === 0) out.turn = [1, 0, 0, 0];
-    if (!(out.vertex >= 0 && out.vertex < this.subjects[out.a].vertices)) out.vertex = -1;
-    if (out.light === 'dropped' && !this.lighting.dropped) out.light = 'given';
-    return out;
-  }
 
   /** Changes entries of the state; a picture follows. */
   set(changes) {
@@ -158,7 +118,8 @@ class Viewer {
     this.isDifference = state.compare === 'difference' && this.areAlike();
     this.lobe = lobeOf(this.lighting.page.kernels, this.first, state.vertex);
     this.drawSubjects(width, height, look);
-    if (state.balls) this.drawBalls(scale, look);
+    if (state.balls) this.balls.drawCorner(state, scale, look, this.lighting.of(state), this.lobe && { ...this.lobe, accent: accentColor() });
+    this.play(began);
     showTime(gl, began);
     showComparison(state, [this.first, this.second], this.isDifference, this.lobe !== null);
     showChosen(this.first, state.vertex, this.canvas, (place) => this.first.clipOf(place, state, this.aspect));
@@ -174,6 +135,14 @@ class Viewer {
         tell(`${subject.name}: ${error.message}`);
       }
     }
+  }
+
+  // Time goes on while the stage plays: kSeconds for the whole of it.
+  play(now) {
+    const kSeconds = 8;
+    const passed = this.played ? Math.min((now - this.played) / 1000, 0.25) : 0;
+    this.played = this.state.playing ? now : undefined;
+    if (this.state.playing) this.set({ time: (this.state.time + passed / kSeconds) % 1 });
   }
 
   get exposure() { return (this.state.exposure || this.measured) * 2 ** this.state.stops; }
@@ -199,27 +168,6 @@ class Viewer {
       this.second.draw(picture, state, aspect, look);
     }
     gl.disable(gl.SCISSOR_TEST);
-  }
-
-  // The light as seen from outside, and the transfer of the vertex, both turned as the camera sees them.
-  drawBalls(scale, look) {
-    const { gl } = this;
-    const isNarrow = window.innerWidth <= 720;  // as style.css has it
-    const size = (isNarrow ? 88 : 128) * scale;
-    const { right, up, back } = axesOf(this.state);
-    const toBall = [0, 1, 2].flatMap((k) => [0.95 * right[k], 0.95 * up[k], -0.5 * back[k], 0]).concat(0, 0, 0, 1);
-    const draw = (column, light, more) => {
-      const [x, y] = [(12 + column * (size / scale + 12)) * scale, (isNarrow ? 22 : 50) * scale];
-      gl.enable(gl.SCISSOR_TEST);
-      gl.scissor(x, y, size, size);
-      gl.clear(gl.DEPTH_BUFFER_BIT);
-      gl.disable(gl.SCISSOR_TEST);
-      gl.viewport(x, y, size, size);
-      this.balls.draw(light, { ...look, ...more, toClip: toBall });
-    };
-    draw(0, this.lighting.of(this.state), {});
-    const transfer = this.lobe;
-    if (transfer) draw(1, transfer.light, { lobe: 1 / transfer.most, accent: accentColor() });
   }
 
   pick(x, y) {
@@ -248,6 +196,7 @@ class Viewer {
       c: () => ({ compare: compares[(compares.indexOf(state.compare) + 1) % compares.length] }),
       t: () => ({ theme: document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark' }),
       z: () => { this.exposureIsKnown = false; return this.begin; },
+      ' ': () => ({ playing: this.subjects.some(({ moves }) => moves) && !state.playing }),
       p: () => { element('side').classList.toggle('folded'); return {}; },
     };
     if (Object.hasOwn(actions, key)) this.set(actions[key]());

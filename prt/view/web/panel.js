@@ -34,7 +34,7 @@ function sectionsOf({ subjects, degree, given, hasDropped, canMatch }) {
       range('strength', 'Strength', 0, 1, 0.01, '', (s) => s.window !== 'none' && s.window !== 'auto'),
       { kind: 'text', id: 'ringing' },
     ]],
-    ...(subjects.some(({ moves }) => moves) ? [['Stage', [range('time', 'Time', 0, 1, 0.01)]]] : []),
+    ...(subjects.some(({ moves }) => moves) ? [['Stage', [range('time', 'Time', 0, 1, 0.01), toggle('playing', 'Play')]]] : []),
     ['Picture', [
       range('stops', 'Exposure', -6, 6, 0.1, ' stops'),
       select('tone', 'Tone curve', [['neutral', 'Khronos PBR Neutral'], ['reinhard', 'Reinhard'], ['linear', 'Linear']]),

@@ -14,6 +14,12 @@ export function sphereAround(each) {
   return { center: least.map((x, k) => (x + most[k]) / 2), radius: Math.hypot(...minus(most, least)) / 2 };
 }
 
+/** The color of what is not covered by the mesh: 0.3 after exposure, as `prt render` has it. */
+export function greyOf(tone) {
+  const linear = { neutral: 0.3 - 0.04, reinhard: 0.3 / 1.3, linear: 0.3 }[tone];
+  return 1.055 * linear ** (1 / 2.4) - 0.055;
+}
+
 /** The factor that brings the 95th percentile of the brightest channels to 0.7; 1 if everything is black. */
 export function exposureOf(brightest) {
   const sorted = Float32Array.from(brightest).sort();

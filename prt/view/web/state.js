@@ -3,7 +3,7 @@
 /** The state of a page without a fragment. */
 export function initialState({ degree, subjectCount }) {
   return {
-    a: 0, b: subjectCount > 1 ? 1 : 0, compare: 'none', wipe: 0.5, time: 0,
+    a: 0, b: subjectCount > 1 ? 1 : 0, compare: 'none', wipe: 0.5, time: 0, playing: false,
     light: 'given', sky: 12, elevation: 40, azimuth: -120, sun: 2, halfAngle: 10, irradiance: 3, turn: [1, 0, 0, 0],
     degree, window: 'none', strength: 0.5,
     stops: 0, exposure: 0, tone: 'neutral', background: 'grey',
@@ -41,6 +41,28 @@ export function stateOf(fragment, start) {
   const state = { ...start };
   for (const [key, text] of new URLSearchParams(fragment)) if (key in start) state[key] = parsed(text, start[key]);
   return state;
+}
+
+const clamp = (value, least, most) => Math.min(most, Math.max(least, value));
+
+/** The state with what lies outside of its limits put right; vertices: how many each subject has. */
+export function validState(state, { begin, degree, hasDropped, vertices }) {
+  const out = { ...state };
+  for (const key of ['a', 'b']) out[key] = clamp(Math.round(out[key]), 0, vertices.length - 1);
+  out.degree = clamp(Math.round(out.degree), 0, degree);
+  out.time = clamp(out.time, 0, 1);
+  out.sky = clamp(Math.round(out.sky), 1, 16);
+  out.elevation = clamp(out.elevation, 0, 90);
+  out.halfAngle = clamp(out.halfAngle, 0.01, 180);
+  out.pitch = clamp(out.pitch, -89.5, 89.5);
+  out.stops = clamp(out.stops, -64, 64);
+  out.wipe = clamp(out.wipe, 0, 1);
+  if (!(out.distance > 0)) out.distance = begin.distance;
+  out.fieldOfView = clamp(out.fieldOfView, 1, 170);
+  if (Math.hypot(...out.turn) === 0) out.turn = [1, 0, 0, 0];
+  if (!(out.vertex >= 0 && out.vertex < vertices[out.a])) out.vertex = -1;
+  if (out.light === 'dropped' && !hasDropped) out.light = 'given';
+  return out;
 }
 
 /** Rotation of a unit quaternion (w, x, y, z), 9 numbers row by row. */

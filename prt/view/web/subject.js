@@ -92,8 +92,6 @@ export class Subject {
     this.place(0);
   }
 
-  get title() { return this.isStage ? this.name.replace(/\.json$/, '') : this.objects[0].transfer.scene; }
-
   /** Puts the objects where they are at a time, and finds the sphere around all. */
   place(time) {
     if (this.time === time || (this.poses && !this.moves)) return;
