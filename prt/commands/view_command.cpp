@@ -42,7 +42,8 @@ struct Chosen {
   Viewed viewed;
   std::vector<LightSpec> lights;
   std::optional<Camera> camera;
-  std::vector<std::string> inputs;  // all files that are read
+  std::vector<std::string> inputs;            // all files that are read
+  std::map<std::string, std::size_t> places;  // of transfer files, by path
 };
 
 std::string bytes_of(const std::string& file) {
@@ -64,6 +65,14 @@ ViewedFile viewed(const std::string& file) {
   return viewed(file, std::make_shared<const Transfer>(read_transfer(file)));
 }
 
+/// The place of a file among those of the page, which has each once.
+template <class Read>
+std::size_t place_of(const std::string& file, const Read& read, Chosen& chosen) {
+  const auto [place, is_new] = chosen.places.emplace(file, chosen.viewed.files.size());
+  if (is_new) chosen.viewed.files.push_back(read());
+  return place->second;
+}
+
 /// Messages about objects inside of others, at the times of all keys.
 void report_overlaps(const Stage& stage, OnFlaw flaws) {
   std::set<std::string> lines;
@@ -80,11 +89,9 @@ void add_stage(const std::string& file, const ViewCommand& options, Chosen& chos
   Stage stage = load_stage(file, options.transfers);
   report_overlaps(stage, on_flaw(options.light.strict));
   ViewedSubject subject{name_of(file), stage.name, {}, stage.objects};
-  std::map<const Transfer*, std::size_t> places;
   for (const StageObject& object : stage.objects) {
-    const auto [place, is_new] = places.emplace(object.transfer.get(), chosen.viewed.files.size());
-    if (is_new) chosen.viewed.files.push_back(viewed(object.file, object.transfer));
-    subject.files.push_back(place->second);
+    subject.files.push_back(place_of(
+        object.file, [&] { return viewed(object.file, object.transfer); }, chosen));
   }
   chosen.viewed.subjects.push_back(std::move(subject));
   if (chosen.lights.empty()) chosen.lights = stage.lights;
@@ -99,9 +106,9 @@ Chosen all_chosen(const ViewCommand& options) {
     if (file.ends_with(".json")) {
       add_stage(file, options, chosen);
     } else {
-      const std::size_t place = chosen.viewed.files.size();
-      chosen.viewed.files.push_back(viewed(file));
-      chosen.viewed.subjects.push_back({name_of(file), chosen.viewed.files.back().transfer->scene, {place}, {}});
+      const std::size_t place = place_of(
+          file, [&] { return viewed(file); }, chosen);
+      chosen.viewed.subjects.push_back({name_of(file), chosen.viewed.files[place].transfer->scene, {place}, {}});
     }
   }
   return chosen;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <httplib.h>
 
+#include <charconv>
 #include <chrono>
 #include <stdexcept>
 #include <thread>
@@ -18,7 +19,8 @@ constexpr std::size_t kMostPicture = std::size_t{1} << 30U;  // bytes
 bool is_of_this_machine(const httplib::Request& request) {
   const std::string host = request.get_header_value("Host");
   const std::string name = host.substr(0, host.find(':'));
-  return name == kHost || name == "localhost";
+  const std::string origin = request.get_header_value("Origin");  // of a page that posts
+  return (name == kHost || name == "localhost") && (origin.empty() || origin == "http://" + host);
 }
 
 void answer_with(httplib::Server& server, const std::string& path, const std::string& bytes, const char* type) {
@@ -31,8 +33,11 @@ void answer_with(httplib::Server& server, const std::string& path, const std::st
 /// POST /project?degree=N with a picture as body: its light, or status 400 with one line.
 void answer_pictures(httplib::Server& server, const ProjectsPictures& project) {
   server.Post("/project", [&project](const httplib::Request& request, httplib::Response& response) {
+    const std::string text = request.get_param_value("degree");
+    int degree = -1;
+    std::from_chars(text.data(), text.data() + text.size(), degree);
     try {
-      response.set_content(project(request.body, std::stoi(request.get_param_value("degree"))), "application/json");
+      response.set_content(project(request.body, degree), "application/json");
     } catch (const std::exception& flaw) {
       response.status = 400;
       response.set_content(flaw.what(), "text/plain; charset=utf-8");

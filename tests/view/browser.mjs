@@ -48,10 +48,10 @@ export function spawnPrt(...words) {
   };
 }
 
-/** The status of an answer to a request that calls the server by this name. */
-export function statusOf(address, host) {
+/** The status of an answer to a request that calls the server by this name, with more headers. */
+export function statusOf(address, host, headers = {}) {
   return new Promise((done, fail) => {
-    http.get(address, { headers: { host } }, (answer) => { answer.resume(); done(answer.statusCode); }).on('error', fail);
+    http.get(address, { headers: { host, ...headers } }, (answer) => { answer.resume(); done(answer.statusCode); }).on('error', fail);
   });
 }
 

@@ -107,6 +107,7 @@ test('The server of a page reads every picture, and refuses in the words of prt'
     assert.equal((await fetch(`${address}project?degree=99`, { method: 'POST', body: kSky })).status, 400);
     assert.equal((await fetch(`${address}project`, { method: 'POST', body: kSky })).status, 400);
     assert.equal(await statusOf(`${address}project`, '127.0.0.1'), 404);
+    assert.equal(await statusOf(address, '127.0.0.1', { origin: 'http://elsewhere.test' }), 403);
   } finally {
     assert.equal(await server.end(), 0);
   }

@@ -15,15 +15,14 @@ const kSize = { width: kWidth + 312, height: kHeight };
 const kSheet = `v -1 0 0\nv 0 0 0\nv 1 0 0\nv -1 0 1\nv 0 0 1\nv 1 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1
 f 1/1 2/2 5/4 4/3\nf 2/2 3/1 6/3 5/4\n`;
 
-// A clay ball, a ring of rough metal, a ball with a lobe, and squares behind, all with dents; a smooth box with a lobe.
-function dentedScene(name, { mapped = kDents, bake = {} } = {}) {
+// A clay ball, a ring of rough metal and a ball with a lobe, all with dents; a smooth box with a lobe. Or other meshes.
+function dentedScene(name, { mapped = kDents, bake = {}, meshes } = {}) {
   const map = mapped ? { normal_map: mapped } : {};
   return writeJson(name, {
     name: 'dented',
-    meshes: [
+    meshes: meshes ?? [
       { primitive: 'sphere', segments: 32, albedo: [0.7, 0.5, 0.4], ...map, transform: { translate: [-1.2, 0, 0] } },
       { primitive: 'torus', segments: 32, albedo: [0.9, 0.7, 0.3], roughness: 0.5, metallic: 1, ...map, transform: { rotate: { axis: [1, 0, 0], degrees: 60 } } },
-      { file: 'sheet.obj', albedo: [0.4, 0.5, 0.4], specular: [0.3, 0.3, 0.3], exponent: 8, ...map, max_edge: 0.3, transform: { scale: 1.5, translate: [0, 1, 0] } },
       { primitive: 'box', albedo: [0.1, 0.1, 0.3], specular: [0.5, 0.5, 0.5], exponent: 20, max_edge: 0.3, transform: { translate: [1.2, 0, 0], rotate: { degrees: 30 } } },
       { primitive: 'sphere', segments: 32, albedo: [0.2, 0.2, 0.2], specular: [0.4, 0.4, 0.4], exponent: 10, ...map, transform: { scale: 0.6, translate: [0, -1.2, 0.2] } },
     ],
@@ -54,6 +53,8 @@ test('Normal maps, lobes and BRDFs are those of prt render, at every pixel', asy
   const shadowed = await compare('dented', 'dented.json', ['--kind', 'glossy_shadowed', ...plain], {});
   await compare('unshadowed', 'dented.json', ['--kind', 'glossy_unshadowed', ...plain], { options: { bake: { degree: 7 } } });
   await compare('bounced', 'dented.json', ['--kind', 'glossy_interreflected', '--compress', 8, 4], { options: { bake: { degree: 2 } } });
+  const sheet = { file: 'sheet.obj', albedo: [0.4, 0.5, 0.4], specular: [0.3, 0.3, 0.3], exponent: 8, normal_map: kDents, max_edge: 0.5, transform: { scale: 1.8, translate: [0, 0, -0.9] } };
+  await compare('mirrored', 'mirrored.json', ['--kind', 'glossy_shadowed', ...plain], { options: { meshes: [sheet], bake: { degree: 2 } } });
   dentedScene('smooth.json', { mapped: null });
   prt('bake', 'smooth.json', '-o', 'smooth.transfer', '--no-checkpoint', '--kind', 'glossy_shadowed', ...plain);
   prt('render', 'smooth.transfer', '--scene', 'smooth.json', '-o', 'smooth.png', '--width', kWidth, '--height', kHeight, '--fixed-exposure', 0.5, '--background', 'grey');

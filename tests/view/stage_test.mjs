@@ -103,6 +103,7 @@ test('A stage is compared with another, and with a file', async () => {
   prt('relight', 'apart.json', '-o', 'apart.ply');
   prt('relight', 'ball.transfer', '--light', writeJson('lights.json', kLights), '-o', 'ball.ply');
   await withPage('compared.html', async (page) => {
+    assert.equal(await page.evaluate(() => viewer.data.files.length), 4, 'each file once');
     await set(page, { compare: 'difference', a: 0, b: 1 });
     assert.equal(await message(page), '');
     assert.ok(await page.isVisible('#scale'));
