@@ -69,7 +69,7 @@ TEST(ViewTool, RefusesWithOneLineAndWritesNothing) {
   expect_refused({"view", file, "-o", folder.file("view.png")}, "expected a name that ends in .html or .js");
   expect_refused({"view", file}, "expected either -o FILE.html, -o FILE.js or --serve");
   expect_refused({"view", file, "-o", page, "--serve"}, "expected either");
-  expect_refused({"view", file, file, "-o", folder.file("a.js")}, "expected one FILE, got 2");
+  expect_refused({"view", file, file, "-o", folder.file("a.js")}, "expected one transfer file, got ");
   expect_refused({"view", file, "-o", page, "--light", folder.file("none.json")}, "none.json");
   expect_refused({"view", file, "--serve", "--port", "70000"}, "--port");
   expect_refused({"view", file, "-o", folder.file("no/view.html")}, "view.html");

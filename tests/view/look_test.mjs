@@ -63,7 +63,7 @@ test('A stage and glossy surfaces are laid out, too', async () => {
   writeJson('dents.json', { ...dents, ground: { ...dents.ground, size: 8, max_edge: 0.3 }, lights: [{ type: 'cie_overcast' }] });
   prt('bake', 'dents.json', '-o', 'dents.transfer', '--no-checkpoint', '--directions', 256);
   prt('view', 'dents.transfer', '--scene', 'dents.json', '-o', 'dents.html');
-  await shown('view_dents', { ...kSky, theme: 'dark', distance: 10 }, size, 24, 'dents.html');
+  await shown('view_dents', { ...kSky, theme: 'dark', distance: 13 }, size, 24, 'dents.html');
 });
 
 test('The page is laid out on a phone, with rows for fingers', async () => {

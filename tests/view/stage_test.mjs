@@ -128,3 +128,16 @@ test('Transfer files may lie elsewhere, and what does not fit is refused in one 
   assert.match(refusal('view', 'inside.json', '--strict', '-o', 'bad.html'), /inside the proxy of object/);
   assert.ok(!fs.existsSync(inFolder('bad.html')));
 });
+
+test('Light that shadows bring, and that a file left out, is refused with the words of prt', async () => {
+  writeJson('kept.json', { name: 'kept', meshes: [{ primitive: 'plane', transform: { scale: 4 }, max_edge: 0.5 }, { primitive: 'box', transform: { translate: [0, 0, 0.5] }, max_edge: 0.5 }],
+                           lights: [{ type: 'cie_overcast' }], bake: { degree: 4, directions: 128 } });
+  prt('bake', 'kept.json', '-o', 'kept.transfer', '--no-checkpoint', '--plan', 'lossy', '--error', 0.01, '--without', 'bands,directions');
+  assert.ok(JSON.parse(prt('info', 'kept.transfer')).storage.kept.length < 25);
+  for (const lightAt of ['vertices', 'center']) {
+    writeJson('lacking.json', { lights: [{ type: 'cie_overcast' }], objects: [{ transfer: 'kept.transfer', light_at: lightAt }, { transfer: 'ball.transfer', position: [7, 1, 2] }] });
+    const words = refusal('relight', 'lacking.json', '-o', 'lacking.ply');
+    prt('view', 'lacking.json', '-o', 'lacking.html');
+    await withPage('lacking.html', async (page) => assert.equal((await message(page)).replace(/^lacking\.json: /, ''), words, lightAt));
+  }
+});
