@@ -160,7 +160,8 @@ function largest(points, value) {
   return best;
 }
 
-const kSpirals = remembering((degree) => {
+/** 64 bands^2 points that lie evenly on the sphere. */
+export const spiralOf = remembering((degree) => {
   const count = 64 * (degree + 1) ** 2;
   return Array.from({ length: count }, (_, k) => {
     const z = 1 - (2 * k + 1) / count, angle = k * Math.PI * (3 - Math.sqrt(5)), r = Math.sqrt(1 - z * z);
@@ -192,7 +193,7 @@ export function windowed(page, light, type, strength) {
     const bandsAt = bandsOf(page, light);
     const none = new Array(degree + 1).fill(1);
     const full = windowFactors(page, 'fejer', 1, degree);
-    strength = Math.min(1, Math.max(0, largest(kSpirals(degree), (point) => Math.max(...kChannels.map((c) => {
+    strength = Math.min(1, Math.max(0, largest(spiralOf(degree), (point) => Math.max(...kChannels.map((c) => {
       const now = dot(none, bandsAt(point), c), then = dot(full, bandsAt(point), c);
       return now < 0 && then > now ? now / (now - then) : 0;
     })))));
@@ -208,7 +209,7 @@ export function windowed(page, light, type, strength) {
 export function extremes(page, light) {
   const bandsAt = bandsOf(page, light);
   const all = new Array(light.degree + 1).fill(1);
-  const of = (sign) => largest(kSpirals(light.degree), (point) => Math.max(...kChannels.map((c) => sign * dot(all, bandsAt(point), c))));
+  const of = (sign) => largest(spiralOf(light.degree), (point) => Math.max(...kChannels.map((c) => sign * dot(all, bandsAt(point), c))));
   return { least: -of(-1), largest: of(1) };
 }
 

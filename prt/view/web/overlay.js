@@ -1,6 +1,7 @@
 // What lies over the picture and beside it: the divider, labels, the marker and the numbers of the vertex, facts and time.
 import { numbersOf } from './transfer_file.js';
 import { turned } from './relight.js';
+import { spiralOf } from './light.js';
 import { isTurned, placed } from './stage.js';
 import { applied } from './vectors.js';
 import { showVertex } from './panel.js';
@@ -33,16 +34,13 @@ export function accentColor() {
 
 const kLobes = remembered();
 
-// The largest absolute value of a light's green on a spiral of 2000 points.
+// The largest absolute value of a light's green at the points of a spiral.
 function mostOf(kernels, light) {
-  const evaluate = kernels[`evaluate_rgb_l${light.degree}`];
-  let most = 1e-30;
-  for (let k = 0, rgb = [0, 0, 0]; k < 2000; ++k) {
-    const z = 1 - (2 * k + 1) / 2000, angle = k * Math.PI * (3 - Math.sqrt(5)), r = Math.sqrt(1 - z * z);
-    evaluate(light.values, r * Math.cos(angle), r * Math.sin(angle), z, rgb);
-    most = Math.max(most, Math.abs(rgb[1]));
-  }
-  return most;
+  const rgb = [0, 0, 0];
+  return spiralOf(5).reduce((most, point) => {
+    kernels[`evaluate_rgb_l${light.degree}`](light.values, ...point, rgb);
+    return Math.max(most, Math.abs(rgb[1]));
+  }, 1e-30);
 }
 
 /** The transfer of a vertex as a function on the sphere, in the axes of the world: {light, most}, most its largest absolute value. */
