@@ -40,7 +40,7 @@ class Bounces {
         tracers_([&rays] { return Gatherer(rays.mesh, rays.starts, rays.tracer, rays.directions); }) {}
 
   void solve(const BounceOptions& options) {
-    term_.take_direct(transfer_.coefficients.data());
+    term_.take_direct(transfer_.rows());
     trace();
     MatrixTable sum(mesh_, transfer_.degree());
     BounceReport& report = transfer_.bounces;

@@ -51,14 +51,14 @@ MatrixTable::MatrixTable(const Mesh& mesh, int the_degree)
       size(count * row),
       values(mesh.positions.size() * size, 0.0F) {}
 
-void MatrixTable::take_direct(const float* visibility) {
+void MatrixTable::take_direct(const Rows& visibility) {
   const std::size_t vertices = values.size() / size;
   std::vector<float> products(vertices * 3 * count);
   for (std::size_t first = 0; first < count; first += 3) {
     const std::size_t some = std::min<std::size_t>(3, count - first);
     std::vector<float> lights(3 * count, 0.0F);
     for (std::size_t k = 0; k < some; ++k) lights[k * count + first + k] = 1.0F;
-    times_visibility(degree, vertices, visibility, prepared_light(degree, lights.data()), products.data());
+    times_visibility(degree, visibility, prepared_light(degree, lights.data()), products.data());
     for_vertices(vertices, [&](std::size_t v) {
       const Eigen::Map<Eigen::MatrixXf> columns(&products[v * 3 * count], Eigen::Index(count), Eigen::Index(some));
       Eigen::Map<Matrix> matrix(of(v), Eigen::Index(count), Eigen::Index(row));

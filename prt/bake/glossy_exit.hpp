@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "prt/rays/gather.hpp"
+#include "prt/transfer/rows.hpp"
 #include "prt/transfer/shape.hpp"
 
 namespace sh::prt {
@@ -22,7 +23,7 @@ struct MatrixTable {
   /// Of zeros.
   MatrixTable(const Mesh& mesh, int degree);
   /// Visibility times light: column j is the visibility (vertices, (2 degree + 1)^2) times Y_j.
-  void take_direct(const float* visibility);
+  void take_direct(const Rows& visibility);
   /// Adds matrices (vertices, shape.length()) of these channels and of this degree or a higher one, of which it takes the
   /// lower bands, times `part`.
   void add(const std::vector<float>& matrices, const TransferShape& shape, float part = 1.0F);

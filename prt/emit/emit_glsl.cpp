@@ -136,7 +136,7 @@ class GlslEmitter {
   void add_glossy() {
     add_rows();
     add_matrices();
-    const bool meets_light = transfer_.clusters.empty() || !transfer_.indirect.empty();
+    const bool meets_light = transfer_.clusters.empty() || transfer_.matrices().count() > 0;
     if (meets_light) relight_.texts.emplace_back("glossy_light.glsl");
     if (!lit_.empty()) relight_.texts.emplace_back("clusters.glsl");
     relight_.texts.emplace_back("glossy.vert");

@@ -35,8 +35,9 @@ EmittedRows emitted_rows(const Transfer& transfer, const EmitOptions& options) {
   }
   rows.shape.storage.kept = rows.is_masked() ? rows.kept : std::vector<std::uint32_t>();
   rows.channels = rows.shape.storage.one_channel ? 1 : rows.shape.channels;
-  rows.encoded =
-      encode(rows.shape.storage.is_clustered() ? transfer.clusters.basis : transfer.coefficients, rows.shape);
+  Encoded made;
+  const Encoded& all = transfer.encoded_rows(made);
+  rows.encoded = rows.is_masked() ? with_columns(all, transfer.shape, rows.kept) : all;
   return rows;
 }
 
@@ -44,8 +45,8 @@ Encoded emitted_matrices(const Transfer& transfer) {
   if (transfer.indirect_shape.storage.element == Element::kByte) {
     throw std::invalid_argument("matrices of 8 bits: expected single or half precision");
   }
-  const bool is_clustered = transfer.indirect_shape.storage.is_clustered();
-  return encode(is_clustered ? transfer.indirect_clusters.basis : transfer.indirect, transfer.indirect_shape);
+  Encoded made;
+  return transfer.encoded_matrices(made);
 }
 
 EmittedKernels::EmittedKernels(const Transfer& transfer, const EmitOptions& options, const EmittedRows& rows,
@@ -120,7 +121,7 @@ void EmittedKernels::use(std::string_view macro, const EmittedKernel& kernel, in
 }
 
 bool has_matrices(const Transfer& transfer) {
-  return !transfer.indirect.empty() || !transfer.indirect_clusters.empty();
+  return transfer.matrices().count() > 0 || !transfer.indirect_clusters.empty();
 }
 
 std::string emitted_comment(const Transfer& transfer, const EmittedRows& rows, const EmittedCost& cost) {

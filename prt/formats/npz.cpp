@@ -44,10 +44,9 @@ std::string text(const std::string& ascii) {
   return npy(fmt::format("<U{}", wide.size()), {}, {reinterpret_cast<const char*>(wide.data()), wide.size() * 4});
 }
 
-std::string rows(const TransferShape& shape, std::size_t vertices, const std::vector<float>& plain,
-                 const Clusters& clusters) {
+std::string rows(const TransferShape& shape, std::size_t vertices, const Rows& rows, const Clusters& clusters) {
   return numbers("<f4", {vertices, shape.channels, shape.rows(), shape.columns()},
-                 clusters.empty() ? plain : clusters.rows());
+                 clusters.empty() ? rows.all() : clusters.rows());
 }
 
 // A zip archive in memory. Files are stored, not compressed, and have the oldest date of the format.
@@ -123,10 +122,10 @@ std::string write_npz(const Transfer& transfer) {
   archive.add("header", text(nlohmann::ordered_json::parse(transfer_header(transfer)).dump(-1, ' ', true)));
   add_mesh(archive, transfer);
   if (transfer.shape.length() > 0) {
-    archive.add("transfer", rows(transfer.shape, vertices, transfer.coefficients, transfer.clusters));
+    archive.add("transfer", rows(transfer.shape, vertices, transfer.rows(), transfer.clusters));
   }
   if (transfer.kind->stores_matrices()) {
-    archive.add("indirect", rows(transfer.indirect_shape, vertices, transfer.indirect, transfer.indirect_clusters));
+    archive.add("indirect", rows(transfer.indirect_shape, vertices, transfer.matrices(), transfer.indirect_clusters));
   }
   if (!transfer.emitted.empty()) archive.add("emitted", vectors(transfer.emitted));
   return archive.finish();

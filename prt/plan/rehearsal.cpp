@@ -142,7 +142,7 @@ MatrixTable Rehearsal::reaching(int degree) const {
         (as_array(&coarse(0)[v * whole], some) + as_array(&coarse(1)[v * whole], some)) / 2.0F;
   }
   MatrixTable table(mesh_, degree);
-  table.take_direct(visibility.data());
+  table.take_direct({visibility, {}, kGlossyShadowed.shape(degree)});
   for (const auto& half : halves_) table.add(half->transfer.indirect, half->transfer.indirect_shape, 0.5F);
   return table;
 }
@@ -178,7 +178,7 @@ double Rehearsal::spread_between_lobes(const std::vector<LightCoefficients>& lig
   const std::size_t vertices = mesh_.positions.size();
   Transfer difference = this->difference();
   MatrixTable whole(mesh_, asked_.degree);
-  whole.take_direct(difference.coefficients.data());
+  whole.take_direct(difference.rows());
   whole.add(difference.indirect, difference.indirect_shape);
   const GlossyExit leaving(mesh_, whole);
   MatrixTable local = whole;  // whole - K whole, K the mean operator of the coarse bakes

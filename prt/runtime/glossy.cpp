@@ -14,6 +14,7 @@
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 #include "prt/kinds/kinds.hpp"
+#include "prt/large_pages.hpp"
 #include "prt/material/lobe.hpp"
 #include "prt/mesh/corners.hpp"
 #include "prt/runtime/lit_clusters.hpp"
@@ -32,22 +33,29 @@ constexpr float kPartOfSphere = 0.28209479F;  // of a function that is 1: its co
 
 // reaching (count, 3, `bands`) += matrices (count, channels, rows, columns) times the light (3, columns), in the lower
 // bands. Every row meets every channel of the light, which is faster than to leave some out.
-void add_indirect(const TransferShape& shape, std::size_t count, const float* matrices, const float* light,
+void add_products(const TransferShape& shape, std::size_t count, const float* matrices, const float* light,
                   std::size_t bands, float* reaching) {
   const std::size_t rows = shape.rows();
-  for_chunks(count, [&](std::size_t chunk) {
-    const VertexRange range = chunk_range(chunk, count);
-    std::vector<float> sums(range.size() * shape.channels * rows * kChannels);
-    batch::relight_rgb(shape.degree, sums.size() / kChannels, batch::plain(matrices + range.first * shape.length()),
-                       light, batch::plain(sums.data()));
-    using Sums = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, kChannels, Eigen::RowMajor>>;
-    for (std::size_t v = 0; v < range.size(); ++v) {
-      for (std::size_t c = 0; c < kChannels; ++c) {
-        const std::size_t first = (v * shape.channels + c % shape.channels) * rows;
-        as_array(reaching + ((range.first + v) * kChannels + c) * bands, rows) +=
-            Sums(&sums[first * kChannels], Eigen::Index(rows), kChannels).col(Eigen::Index(c)).array();
-      }
+  std::vector<float> sums(count * shape.channels * rows * kChannels);
+  batch::relight_rgb(shape.degree, sums.size() / kChannels, batch::plain(matrices), light, batch::plain(sums.data()));
+  using Sums = Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, kChannels, Eigen::RowMajor>>;
+  for (std::size_t v = 0; v < count; ++v) {
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      const std::size_t first = (v * shape.channels + c % shape.channels) * rows;
+      as_array(reaching + (v * kChannels + c) * bands, rows) +=
+          Sums(&sums[first * kChannels], Eigen::Index(rows), kChannels).col(Eigen::Index(c)).array();
     }
+  }
+}
+
+// The same for all matrices, in parallel.
+void add_indirect(const TransferShape& shape, const Rows& matrices, const float* light, std::size_t bands,
+                  float* reaching) {
+  for_chunks(matrices.count(), [&](std::size_t chunk) {
+    const VertexRange range = chunk_range(chunk, matrices.count());
+    matrices.each(range.first, range.size(), [&](std::size_t first, std::size_t count, const float* some) {
+      add_products(shape, count, some, light, bands, reaching + first * kChannels * bands);
+    });
   });
 }
 
@@ -131,28 +139,25 @@ void TransferredRadiance::meet(const Transfer& transfer, const LightCoefficients
   const std::size_t vertices = transfer.mesh.positions.size();
   const std::size_t bands = coefficient_count(degree_);
   stride_ = wide.size();
-  const auto seen = [&](const std::vector<float>& visibility, std::size_t count) {
-    std::vector<float> out(count * stride_);
-    times_visibility(degree_, count, visibility.data(), prepared_light(degree_, wide.data()), out.data());
+  const auto seen = [&](const Rows& visibility) {
+    std::vector<float> out;
+    renew_on_large_pages(out, visibility.count() * stride_);
+    times_visibility(degree_, visibility, prepared_light(degree_, wide.data()), out.data());
     return out;
   };
   if (transfer.clusters.empty()) {
-    values_ = seen(transfer.coefficients, vertices);
+    values_ = seen(transfer.rows());
   } else {
-    const std::vector<float>& basis = transfer.clusters.basis;
     values_.assign(vertices * stride_, 0.0F);
-    add_clusters(transfer.clusters, seen(basis, basis.size() / transfer.clusters.length), bands, values_);
+    add_clusters(transfer.clusters, seen({transfer.clusters.basis, {}, transfer.shape}), bands, values_);
   }
   const TransferShape& shape = transfer.indirect_shape;
   const std::vector<float> low = in_single(first_bands(light, std::min(light.degree, shape.degree)), shape.degree);
-  if (!transfer.indirect.empty()) {
-    add_indirect(shape, vertices, transfer.indirect.data(), low.data(), bands, values_.data());
-  }
+  add_indirect(shape, transfer.matrices(), low.data(), bands, values_.data());
   if (!transfer.indirect_clusters.empty()) {
-    const std::vector<float>& basis = transfer.indirect_clusters.basis;
-    const std::size_t count = basis.size() / transfer.indirect_clusters.length;
-    std::vector<float> lit(count * kChannels * shape.rows(), 0.0F);
-    add_indirect(shape, count, basis.data(), low.data(), shape.rows(), lit.data());
+    const Rows rows(transfer.indirect_clusters.basis, {}, shape);
+    std::vector<float> lit(rows.count() * kChannels * shape.rows(), 0.0F);
+    add_indirect(shape, rows, low.data(), shape.rows(), lit.data());
     add_clusters(transfer.indirect_clusters, lit, shape.rows(), values_);
   }
   require_single(transfer, values_, [](float value) { return std::isfinite(value); });

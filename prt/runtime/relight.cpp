@@ -11,6 +11,7 @@
 
 #include "generated/batch/batch.hpp"
 #include "prt/chunks.hpp"
+#include "prt/large_pages.hpp"
 #include "prt/runtime/lit_clusters.hpp"
 
 #if defined(__SSE2__)
@@ -58,7 +59,7 @@ std::vector<float> light_of(const Transfer& transfer, const LightCoefficients& l
   return values;
 }
 
-/// The sums of `count` rows of a transfer of this shape, three a row.
+/// The sums of `count` complete rows of a transfer of this shape, three a row.
 void sums_of(const TransferShape& shape, const float* rows, std::size_t count, const std::vector<float>& light,
              float* out) {
   const bool is_white = light.size() == shape.count();
@@ -80,6 +81,14 @@ void sums_of(const TransferShape& shape, const float* rows, std::size_t count, c
       }
     }
   }
+}
+
+/// The same for rows `first` and on, as they are stored.
+void sums_of(const TransferShape& shape, const Rows& rows, std::size_t first, std::size_t count,
+             const std::vector<float>& light, float* out) {
+  rows.each(first, count, [&](std::size_t v, std::size_t some, const float* numbers) {
+    sums_of(shape, numbers, some, light, out + 3 * (v - first));
+  });
 }
 
 /// Calls work(first vertex, vertices) for ranges of at most kVerticesAtOnce vertices, in parallel.
@@ -107,8 +116,8 @@ void for_clustered(const Transfer& transfer, const std::vector<float>& light, co
   });
 }
 
-/// Values of rows that outgrow the caches: radiance that is written beside them would not stay there either.
-constexpr std::size_t kCachedValues = (32U << 20U) / sizeof(float);
+/// Bytes of rows that outgrow the caches: radiance that is written beside them would not stay there either.
+constexpr std::size_t kCachedBytes = 32U << 20U;
 
 /// out = values times factors (values alone if that is null), past the caches where that is possible, so that no line of
 /// `out` is read first.
@@ -156,15 +165,16 @@ void relight_with(const Transfer& transfer, const LightCoefficients& light, std:
       finish(transfer, v, 1, &colors[v], &radiance[v]);
     });
   }
-  const bool past_caches = transfer.coefficients.size() > kCachedValues && transfer.emitted.empty();
+  const Rows rows = transfer.rows();
+  const bool past_caches = rows.bytes() > kCachedBytes && transfer.emitted.empty();
   for_ranges(transfer, [&](std::size_t first, std::size_t count) {
     if (past_caches) {
       std::array<float, 3 * kVerticesAtOnce> sums;
-      sums_of(transfer.shape, transfer.row(first), count, values, sums.data());
+      sums_of(transfer.shape, rows, first, count, values, sums.data());
       return write_past_caches(sums.data(), transfer.shape.holds_albedo ? nullptr : colors[first].data(), 3 * count,
                                radiance[first].data());
     }
-    sums_of(transfer.shape, transfer.row(first), count, values, radiance[first].data());
+    sums_of(transfer.shape, rows, first, count, values, radiance[first].data());
     finish(transfer, first, count, &colors[first], &radiance[first]);
   });
 }
@@ -202,7 +212,8 @@ void relight_into(const Transfer& transfer, const LightCoefficients& light, std:
 }
 
 std::vector<Eigen::Vector3f> relight(const Transfer& transfer, const LightCoefficients& light) {
-  std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
+  std::vector<Eigen::Vector3f> radiance;
+  renew_on_large_pages(radiance, transfer.mesh.positions.size());
   relight_into(transfer, light, radiance);
   return radiance;
 }
@@ -238,9 +249,11 @@ std::vector<float> relight_gray(const Transfer& transfer, const LightCoefficient
     for_clustered(transfer, values, [&](std::size_t v, const Eigen::Vector3f& sums) { radiance[v] = sums[0]; });
     return radiance;
   }
+  const Rows rows = transfer.rows();
   for_ranges(transfer, [&](std::size_t first, std::size_t count) {
-    batch::relight(transfer.degree(), count, batch::plain(transfer.row(first)), values.data(),
-                   batch::plain(&radiance[first]));
+    rows.each(first, count, [&](std::size_t v, std::size_t some, const float* numbers) {
+      batch::relight(transfer.degree(), some, batch::plain(numbers), values.data(), batch::plain(&radiance[v]));
+    });
   });
   return radiance;
 }

@@ -11,6 +11,7 @@
 
 #include "prt/arrays.hpp"
 #include "prt/names.hpp"
+#include "prt/transfer/rows.hpp"
 
 namespace sh::prt {
 
@@ -18,28 +19,6 @@ namespace {
 
 constexpr float kSteps = 127.0F;
 constexpr double kHalfOverflow = 65520.0;  // rounds to infinity
-
-// A column of the file and its place among a receiver's numbers in memory.
-struct Column {
-  std::size_t first;
-  std::size_t channels;  // that it stands for, shape.count() apart
-};
-
-std::vector<Column> columns_of(const TransferShape& shape) {
-  const Storage& storage = shape.storage;
-  if (!std::is_sorted(storage.kept.begin(), storage.kept.end(), std::less_equal<>()) ||
-      (!storage.kept.empty() && storage.kept.back() >= shape.columns())) {
-    throw std::invalid_argument(fmt::format("kept coefficients: expected rising indices below {}", shape.columns()));
-  }
-  const std::size_t copies = storage.one_channel ? shape.channels : 1;
-  std::vector<Column> columns;
-  for (std::size_t first = 0; first < shape.length() / copies; ++first) {
-    if (storage.kept.empty() || std::binary_search(storage.kept.begin(), storage.kept.end(), first % shape.columns())) {
-      columns.push_back({first, copies});
-    }
-  }
-  return columns;
-}
 
 // The scale of a column: a normal number, 127 times which does not overflow; zero for a column of zeros.
 float scale_for(float largest) {
@@ -57,13 +36,6 @@ void copy_to(std::byte* to, T bits) {
   std::memcpy(to, &bits, sizeof bits);
 }
 
-template <class T>
-T copy_from(const std::byte* from) {
-  T bits;
-  std::memcpy(&bits, from, sizeof bits);
-  return bits;
-}
-
 // Writes one number to `to`; half and single are copied unchanged.
 void put(std::byte* to, Element element, float value, float scale) {
   if (element == Element::kSingle) return copy_to(to, value);
@@ -71,13 +43,22 @@ void put(std::byte* to, Element element, float value, float scale) {
   copy_to(to, quantized(value, scale));
 }
 
-float get(const std::byte* from, Element element, float scale) {
-  if (element == Element::kSingle) return copy_from<float>(from);
-  if (element == Element::kByte) return static_cast<float>(copy_from<std::int8_t>(from)) * scale;
-  return static_cast<float>(Eigen::half(Eigen::half_impl::raw_uint16_to_half(copy_from<std::uint16_t>(from))));
-}
-
 }  // namespace
+
+std::vector<std::size_t> stored_columns(const TransferShape& shape) {
+  const Storage& storage = shape.storage;
+  if (!std::is_sorted(storage.kept.begin(), storage.kept.end(), std::less_equal<>()) ||
+      (!storage.kept.empty() && storage.kept.back() >= shape.columns())) {
+    throw std::invalid_argument(fmt::format("kept coefficients: expected rising indices below {}", shape.columns()));
+  }
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < shape.length() / (storage.one_channel ? shape.channels : 1); ++i) {
+    if (storage.kept.empty() || std::binary_search(storage.kept.begin(), storage.kept.end(), i % shape.columns())) {
+      places.push_back(i);
+    }
+  }
+  return places;
+}
 
 Encoded encode(const std::vector<float>& numbers, const TransferShape& shape) {
   const std::size_t length = shape.length();
@@ -85,12 +66,12 @@ Encoded encode(const std::vector<float>& numbers, const TransferShape& shape) {
   if (length == 0 || numbers.size() % length != 0) {
     throw std::invalid_argument(fmt::format("{} numbers: expected rows of {}", numbers.size(), length));
   }
-  const std::vector<Column> columns = columns_of(shape);
+  const std::vector<std::size_t> columns = stored_columns(shape);
   const std::size_t size = bytes_of(element);
   Encoded encoded;
   const Eigen::ArrayXf all_largest = largest_numbers(numbers, length);
-  for (const Column& column : columns) {
-    const float largest = all_largest[Eigen::Index(column.first)];
+  for (const std::size_t column : columns) {
+    const float largest = all_largest[Eigen::Index(column)];
     if (!std::isfinite(encoding_error(element, static_cast<double>(largest)))) {
       throw std::invalid_argument(fmt::format("a transfer coefficient of {} does not fit into type {}", largest,
                                               word_of(element, kElementNames)));
@@ -101,30 +82,33 @@ Encoded encode(const std::vector<float>& numbers, const TransferShape& shape) {
   std::byte* to = encoded.data.data();
   for (std::size_t row = 0; row < numbers.size(); row += length) {
     for (std::size_t j = 0; j < columns.size(); ++j, to += size) {
-      put(to, element, numbers[row + columns[j].first], encoded.scale.empty() ? 1.0F : encoded.scale[j]);
+      put(to, element, numbers[row + columns[j]], encoded.scale.empty() ? 1.0F : encoded.scale[j]);
     }
   }
   return encoded;
 }
 
 std::vector<float> decode(const Encoded& encoded, const TransferShape& shape) {
-  const std::vector<Column> columns = columns_of(shape);
-  const Element element = shape.storage.element;
-  const std::size_t size = bytes_of(element);
-  if (element == Element::kByte && encoded.scale.size() != columns.size()) {
-    throw std::invalid_argument(
-        fmt::format("{} scales: expected {}, one a column", encoded.scale.size(), columns.size()));
+  const std::vector<float> none;
+  return Rows(none, encoded, shape).all();
+}
+
+Encoded with_columns(const Encoded& encoded, const TransferShape& shape, const std::vector<std::uint32_t>& kept) {
+  const std::vector<std::size_t> columns = stored_columns(shape);
+  std::vector<std::size_t> chosen;  // among the columns
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    if (std::binary_search(kept.begin(), kept.end(), columns[j] % shape.columns())) chosen.push_back(j);
   }
-  const std::size_t length = shape.length();
-  std::vector<float> numbers(encoded.data.size() / (columns.size() * size) * length, 0.0F);
-  const std::byte* from = encoded.data.data();
-  for (std::size_t row = 0; row < numbers.size(); row += length) {
-    for (std::size_t j = 0; j < columns.size(); ++j, from += size) {
-      const float value = get(from, element, encoded.scale.empty() ? 1.0F : encoded.scale[j]);
-      for (std::size_t c = 0; c < columns[j].channels; ++c) numbers[row + columns[j].first + c * shape.count()] = value;
-    }
+  const std::size_t size = bytes_of(shape.storage.element);
+  Encoded some;
+  some.data.reserve(encoded.data.size() / columns.size() * chosen.size());
+  for (const std::byte* row = encoded.data.data(); row != encoded.data.data() + encoded.data.size();
+       row += columns.size() * size) {
+    for (const std::size_t j : chosen) some.data.insert(some.data.end(), row + j * size, row + (j + 1) * size);
   }
-  return numbers;
+  for (std::size_t i = 0; !encoded.scale.empty() && i < chosen.size(); ++i)
+    some.scale.push_back(encoded.scale[chosen[i]]);
+  return some;
 }
 
 Eigen::ArrayXf largest_numbers(const std::vector<float>& numbers, std::size_t length) {

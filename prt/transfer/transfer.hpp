@@ -19,6 +19,7 @@
 #include "prt/names.hpp"
 #include "prt/transfer/clusters.hpp"
 #include "prt/transfer/point_grid.hpp"
+#include "prt/transfer/rows.hpp"
 
 namespace sh::prt {
 
@@ -81,18 +82,20 @@ struct Transfer {
   Mesh mesh;                      // empty where the receivers are points
   std::optional<PointGrid> grid;  // only of the kinds whose receivers are points
   const TransferKind* kind = &kUnshadowed;
-  TransferShape shape;  // of a receiver's numbers; `element` and `kept` apply to files, in memory rows are complete
+  TransferShape shape;  // of a receiver's numbers; `element` and `kept` apply to files and to what is read from them
   std::uint32_t directions = 0;  // over the whole sphere; 0 where no ray was traced
   Sampler sampler = Sampler::kFibonacci;
   std::uint32_t seed = 0;           // of the sampler
   std::string instruction_set;      // on which the bits are reproducible
   BounceReport bounces;             // of kinds with bounces
   std::vector<float> coefficients;  // (receivers, channels, rows, columns), row-major; columns i = l(l+1)+m
-  Clusters clusters;                // in place of `coefficients` where shape.storage is clustered
-  TransferShape indirect_shape;     // of the matrices, where the kind has them: dot
+  Encoded stored;     // in place of `coefficients` where a file has other numbers than these: the file's, as they are
+  Clusters clusters;  // in place of `coefficients` where shape.storage is clustered
+  TransferShape indirect_shape;  // of the matrices, where the kind has them: dot
   /// Matrices that bring the light to a vertex over other surfaces, (vertices, channels, rows, columns): they add to the
   /// radiance that reaches it directly. One channel where every material is gray. Empty where the kind has none.
   std::vector<float> indirect;
+  Encoded stored_indirect;     // in place of `indirect` where they come from a file
   Clusters indirect_clusters;  // in place of `indirect` where indirect_shape.storage is clustered
   /// Linear RGB exit radiance of the light that surfaces emit, with its bounces, (vertices); empty if no surface emits.
   std::vector<Eigen::Vector3f> emitted;
@@ -108,15 +111,34 @@ struct Transfer {
   }
   [[nodiscard]] int degree() const { return shape.degree; }
   [[nodiscard]] std::size_t receivers() const { return grid ? grid->points() : mesh.positions.size(); }
-  /// The numbers of a receiver.
+  /// The numbers of a receiver, where `coefficients` holds them.
   [[nodiscard]] float* row(std::size_t vertex) { return coefficients.data() + vertex * shape.length(); }
   [[nodiscard]] const float* row(std::size_t vertex) const { return coefficients.data() + vertex * shape.length(); }
-  /// The same where they may be clustered: they are then made in `room`.
+  /// The same wherever they are: if need be, they are made in `room`.
   [[nodiscard]] const float* row(std::size_t vertex, std::vector<float>& room) const {
-    if (clusters.empty()) return row(vertex);
+    if (clusters.empty()) return rows().some(vertex, 1, room);
     room.resize(shape.length());
     clusters.row(vertex, room.data());
     return room.data();
+  }
+  /// The rows of all vertices, and their matrices, unless they are clustered. The transfer must outlive the results.
+  [[nodiscard]] Rows rows() const { return {coefficients, stored, shape}; }
+  [[nodiscard]] Rows matrices() const { return {indirect, stored_indirect, indirect_shape}; }
+  /// The rows (or those of the clusters) and matrices as a file stores them: what is stored, or made in `room`. Throws like
+  /// encode().
+  [[nodiscard]] const Encoded& encoded_rows(Encoded& room) const {
+    return encoded(coefficients, stored, clusters, shape, room);
+  }
+  [[nodiscard]] const Encoded& encoded_matrices(Encoded& room) const {
+    return encoded(indirect, stored_indirect, indirect_clusters, indirect_shape, room);
+  }
+
+ private:
+  static const Encoded& encoded(const std::vector<float>& complete, const Encoded& stored, const Clusters& clusters,
+                                const TransferShape& shape, Encoded& room) {
+    if (!stored.empty()) return stored;
+    room = encode(shape.storage.is_clustered() ? clusters.basis : complete, shape);
+    return room;
   }
 };
 

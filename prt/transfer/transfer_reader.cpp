@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "numeric/output/parse_json.hpp"
+#include "prt/large_pages.hpp"
 #include "prt/transfer/checksum.hpp"
 #include "prt/transfer/storage.hpp"
 #include "prt/transfer/transfer_file.hpp"
@@ -160,7 +161,7 @@ class Reader {
     const auto section = std::find_if(table_.begin(), table_.end(),
                                       [&](const layout::Section& s) { return s.name == layout::padded(kind.name); });
     if (section == table_.end()) return;
-    items.resize(bytes_of(*section) / sizeof(T));
+    renew_on_large_pages(items, bytes_of(*section) / sizeof(T));
     fetch(items.data(), items.size() * sizeof(T));
     if (checksum(items.data(), items.size() * sizeof(T)) != section->checksum) {
       fail(fmt::format("damaged transfer file: the checksum of section {} differs", kind.name));
@@ -168,28 +169,21 @@ class Reader {
   }
 
   void read_sections(Transfer& transfer) {
-    Encoded encoded;
-    Encoded indirect;
     const auto* kind = layout::kSections.begin();
-    layout::each_section(transfer, encoded, indirect, [&](auto& items) { fetch_section(*kind++, items); });
-    check_scale(transfer, encoded);
-    if (transfer.kind->indirect != nullptr) {
-      take_rows(indirect, transfer.indirect_shape, transfer.indirect, transfer.indirect_clusters);
-    }
-    if (!transfer.shape.storage.is_plain()) {
-      take_rows(encoded, transfer.shape, transfer.coefficients, transfer.clusters);
-    }
+    layout::each_section(transfer, transfer.stored, transfer.stored_indirect,
+                         [&](auto& items) { fetch_section(*kind++, items); });
+    check_scale(transfer, transfer.stored);
+    take_clusters(transfer.shape, transfer.stored, transfer.clusters);
+    take_clusters(transfer.indirect_shape, transfer.stored_indirect, transfer.indirect_clusters);
   }
 
-  static void take_rows(const Encoded& encoded, const TransferShape& shape, std::vector<float>& numbers,
-                        Clusters& clusters) {
-    if (!shape.storage.is_clustered()) {
-      numbers = decode(encoded, shape);
-      return;
-    }
+  // The rows of clusters are few; they serve all vertices.
+  static void take_clusters(const TransferShape& shape, Encoded& rows, Clusters& clusters) {
+    if (!shape.storage.is_clustered()) return;
     clusters.length = shape.length();
     clusters.vectors = shape.storage.vectors;
-    clusters.basis = decode(encoded, shape);
+    clusters.basis = decode(rows, shape);
+    rows = {};
   }
 
   void check_scale(const Transfer& transfer, const Encoded& encoded) const {

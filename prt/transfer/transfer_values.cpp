@@ -24,6 +24,14 @@ bool is_reflectance(const Eigen::Vector3f& value) {
   return value.allFinite() && value.minCoeff() >= 0.0F && value.maxCoeff() <= 1.0F;
 }
 
+bool all_finite(const Rows& rows) {
+  bool finite = true;
+  rows.each(0, rows.count(), [&](std::size_t /*first*/, std::size_t count, const float* numbers) {
+    finite = finite && as_array(numbers, count * rows.length()).isFinite().all();
+  });
+  return finite;
+}
+
 constexpr float kMaxReflectance = 1000.0F;  // no limit of nature, but far above all that a surface reflects
 
 bool is_exponent(float value) { return value >= 0.0F && value <= kMaxExponent; }
@@ -91,8 +99,7 @@ std::string flaw_of_values(const Transfer& transfer) {
   if (!all(maps.texels, [](Eigen::half value) { return std::abs(static_cast<float>(value)) <= 1.0F; })) {
     return "a texel of a normal map is not from -1 to 1";
   }
-  if (!all(transfer.coefficients, [](float value) { return std::isfinite(value); }) ||
-      !all(transfer.indirect, [](float value) { return std::isfinite(value); }) || !all(transfer.emitted, is_finite)) {
+  if (!all_finite(transfer.rows()) || !all_finite(transfer.matrices()) || !all(transfer.emitted, is_finite)) {
     return "a transfer coefficient is not finite";
   }
   if (transfer.grid && transfer.shape.meets == Meets::kOperator && !all(transfer.coefficients, is_of_visibility)) {

@@ -18,8 +18,12 @@ namespace {
 constexpr std::size_t kHeaderUnit = 16;
 
 // True if the numbers of so many receivers, or their clusters, are as many as the shape says.
-bool fit(const std::vector<float>& numbers, const Clusters& clusters, const TransferShape& shape,
+bool fit(const std::vector<float>& numbers, const Encoded& stored, const Clusters& clusters, const TransferShape& shape,
          std::size_t receivers) {
+  if (!stored.empty()) {
+    return numbers.empty() && clusters.empty() && stored.data.size() == receivers * shape.row_bytes() &&
+           stored.scale.size() == (shape.storage.element == Element::kByte ? shape.stored_length() : 0);
+  }
   if (!shape.storage.is_clustered()) return clusters.empty() && numbers.size() == receivers * shape.length();
   return numbers.empty() && clusters.receivers() == receivers && clusters.length == shape.length() &&
          clusters.vectors == shape.storage.vectors && clusters.weights.size() == receivers * clusters.vectors &&
@@ -35,10 +39,10 @@ void check_lengths(const Transfer& transfer) {
                                             transfer.kind->on_grid ? "a grid and no mesh" : "no grid"));
   }
   if (mesh.normals.size() != vertices || mesh.geometric_normals.size() != vertices || mesh.albedo.size() != vertices ||
-      !fit(transfer.coefficients, transfer.clusters, transfer.shape, receivers) ||
-      (transfer.kind->indirect != nullptr
-           ? !fit(transfer.indirect, transfer.indirect_clusters, transfer.indirect_shape, receivers)
-           : !transfer.indirect.empty()) ||
+      !fit(transfer.coefficients, transfer.stored, transfer.clusters, transfer.shape, receivers) ||
+      (transfer.kind->indirect != nullptr ? !fit(transfer.indirect, transfer.stored_indirect,
+                                                 transfer.indirect_clusters, transfer.indirect_shape, receivers)
+                                          : !transfer.indirect.empty() || !transfer.stored_indirect.empty()) ||
       (!transfer.emitted.empty() && transfer.emitted.size() != receivers) ||
       (!mesh.mirror.empty() && mesh.mirror.size() != vertices) ||
       (!mesh.specular.empty() && mesh.specular.size() != vertices) || mesh.exponent.size() != mesh.specular.size() ||
@@ -47,10 +51,6 @@ void check_lengths(const Transfer& transfer) {
       mesh.texture.size() != mesh.normal_map.size()) {
     throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a receiver in each");
   }
-}
-
-Encoded encode_rows(const std::vector<float>& numbers, const Clusters& clusters, const TransferShape& shape) {
-  return encode(shape.storage.is_clustered() ? clusters.basis : numbers, shape);
 }
 
 struct Contents {
@@ -85,14 +85,11 @@ void write_transfer(const std::string& path, const Transfer& transfer) {
   check_lengths(transfer);
   const std::string flaw = flaw_of_values(transfer);  // a reader would refuse the file
   if (!flaw.empty()) throw std::invalid_argument(path + ": cannot write: " + flaw);
-  Encoded encoded;
-  if (!transfer.shape.storage.is_plain()) {
-    encoded = encode_rows(transfer.coefficients, transfer.clusters, transfer.shape);
-  }
-  Encoded indirect;
-  if (transfer.kind->indirect != nullptr) {
-    indirect = encode_rows(transfer.indirect, transfer.indirect_clusters, transfer.indirect_shape);
-  }
+  Encoded made;
+  Encoded made_indirect;
+  const Encoded& encoded = transfer.shape.storage.is_plain() ? made : transfer.encoded_rows(made);
+  const Encoded& indirect =
+      transfer.kind->indirect == nullptr ? made_indirect : transfer.encoded_matrices(made_indirect);
   auto [table, data] = contents_of(transfer, encoded, indirect);
   std::string header = transfer_header(transfer);
   header.resize((header.size() + kHeaderUnit - 1) / kHeaderUnit * kHeaderUnit, ' ');

@@ -34,13 +34,13 @@ std::vector<float> prepared_light(int degree, const float* light) {
   return samples;
 }
 
-void times_visibility(int degree, std::size_t vertices, const float* visibility, const std::vector<float>& prepared,
-                      float* out) {
-  const std::size_t in_length = coefficient_count(2 * degree);
+void times_visibility(int degree, const Rows& visibility, const std::vector<float>& prepared, float* out) {
   const std::size_t out_length = kChannels * coefficient_count(degree);
-  in_parallel(tbb::blocked_range<std::size_t>(0, vertices, kVerticesAtOnce), [&](const auto& range) {
-    batch::transfer_apply_rgb(degree, range.size(), batch::plain(visibility + range.begin() * in_length),
-                              prepared.data(), batch::plain(out + range.begin() * out_length));
+  in_parallel(tbb::blocked_range<std::size_t>(0, visibility.count(), kVerticesAtOnce), [&](const auto& range) {
+    visibility.each(range.begin(), range.size(), [&](std::size_t first, std::size_t count, const float* rows) {
+      batch::transfer_apply_rgb(degree, count, batch::plain(rows), prepared.data(),
+                                batch::plain(out + first * out_length));
+    });
   });
 }
 

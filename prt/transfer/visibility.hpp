@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "prt/transfer/rows.hpp"
 #include "prt/transfer/shape.hpp"
 
 namespace sh::prt {
@@ -11,10 +12,9 @@ namespace sh::prt {
 /// A light (3, bands^2) of this degree as `times_visibility` takes it. Precondition: 0 <= degree <= kHighestProduct.
 std::vector<float> prepared_light(int degree, const float* light);
 
-/// out (vertices, 3, bands^2) = visibility (vertices, (2 degree + 1)^2) times the prepared light. In parallel; the same bits
-/// on one instruction set (generated/batch/records.hpp).
-void times_visibility(int degree, std::size_t vertices, const float* visibility, const std::vector<float>& prepared,
-                      float* out);
+/// out (rows, 3, bands^2) = visibility (rows, (2 degree + 1)^2) times the prepared light. In parallel; the same bits on one
+/// instruction set (generated/batch/records.hpp).
+void times_visibility(int degree, const Rows& visibility, const std::vector<float>& prepared, float* out);
 
 /// The same where light and result may have different degrees, by a shape that meets the light by `operator`:
 /// out (receivers, 3, (result_degree+1)^2) = visibility (receivers, shape.columns()) times light (3, (degree+1)^2).

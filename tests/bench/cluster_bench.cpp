@@ -81,8 +81,8 @@ double total_over_indirect(const Transfer& transfer) {
   for (std::size_t k = 0; k < columns; ++k) {
     std::vector<float> light(3 * columns, 0.0F);
     for (std::size_t c = 0; c < 3; ++c) light[c * columns + k] = 1.0F;
-    times_visibility(transfer.degree(), vertices, transfer.coefficients.data(),
-                     prepared_light(transfer.degree(), light.data()), direct.data());
+    times_visibility(transfer.degree(), transfer.rows(), prepared_light(transfer.degree(), light.data()),
+                     direct.data());
     for (std::size_t v = 0; v < vertices; ++v) {
       for (std::size_t c = 0; c < transfer.indirect_shape.channels; ++c) {
         for (std::size_t i = 0; i < rows; ++i) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "numeric/oracle/index.hpp"
+#include "prt/large_pages.hpp"
 
 namespace sh::bench {
 
@@ -52,11 +53,12 @@ struct Free {
 template <class T>
 using Buffer = std::unique_ptr<T[], Free>;
 
-/// `count` values, aligned to 64 bytes, set to `value`.
+/// `count` values, aligned to 64 bytes, set to `value`; on large pages like those that files are read into.
 template <class T>
 Buffer<T> make_buffer(std::size_t count, T value = T{}) {
   const std::size_t bytes = (count * sizeof(T) + 127) / 64 * 64;
   Buffer<T> buffer(static_cast<T*>(std::aligned_alloc(64, bytes)));
+  prt::ask_for_large_pages(buffer.get(), bytes);
   for (std::size_t i = 0; i < count; ++i) buffer[i] = value;
   return buffer;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "prt/large_pages.hpp"
 #include "prt/runtime/light_at_rest.hpp"
 #include "prt/runtime/neighborhood.hpp"
 #include "prt/runtime/relight.hpp"
@@ -15,6 +16,8 @@ namespace {
 
 using sh::bench::Buffer;
 using sh::bench::Table;
+using sh::prt::Element;
+using sh::prt::Encoded;
 using sh::prt::kGlossyShadowed;
 using sh::prt::kInterreflected;
 using sh::prt::kNeighborhood;
@@ -45,8 +48,23 @@ std::vector<float> made_up_numbers(std::size_t count) {
 Transfer made_up_transfer(const TransferKind* kind, int degree, std::size_t vertices) {
   Transfer transfer = Transfer::of(*kind, degree);
   transfer.mesh.positions.resize(vertices, Eigen::Vector3f::Zero());
-  transfer.mesh.albedo.resize(vertices, Eigen::Vector3f(0.25F, 0.5F, 0.75F));
-  transfer.coefficients = made_up_numbers(vertices * transfer.shape.length());
+  sh::prt::renew_on_large_pages(transfer.mesh.albedo, vertices);
+  std::fill(transfer.mesh.albedo.begin(), transfer.mesh.albedo.end(), Eigen::Vector3f(0.25F, 0.5F, 0.75F));
+  sh::prt::renew_on_large_pages(transfer.coefficients, vertices * transfer.shape.length());
+  const std::vector<float> numbers = made_up_numbers(transfer.coefficients.size());
+  std::copy(numbers.begin(), numbers.end(), transfer.coefficients.begin());
+  return transfer;
+}
+
+// As it is read from a file.
+Transfer stored(Transfer transfer, Element element) {
+  if (element == Element::kSingle) return transfer;
+  transfer.shape.storage.element = element;
+  Encoded encoded = encode(transfer.coefficients, transfer.shape);
+  transfer.coefficients = {};
+  sh::prt::renew_on_large_pages(transfer.stored.data, encoded.data.size());
+  std::copy(encoded.data.begin(), encoded.data.end(), transfer.stored.data.begin());
+  transfer.stored.scale = encoded.scale;
   return transfer;
 }
 
@@ -66,6 +84,7 @@ struct Case {
   int light_degree;  // of the light
   bool white;
   std::size_t vertices;
+  Element element = Element::kSingle;
 };
 
 struct Times {
@@ -74,10 +93,12 @@ struct Times {
 };
 
 Times measure(const Case& c) {
-  const Transfer transfer = made_up_transfer(c.kind, c.degree, c.vertices);
+  const Transfer transfer = stored(made_up_transfer(c.kind, c.degree, c.vertices), c.element);
   const LightCoefficients light = made_up_light(c.light_degree, c.white);
-  std::vector<Eigen::Vector3f> radiance(c.vertices);
-  const std::size_t inputs = transfer.coefficients.size() + (c.kind == &kInterreflected ? 0 : 3 * c.vertices);
+  std::vector<Eigen::Vector3f> radiance;
+  sh::prt::renew_on_large_pages(radiance, c.vertices);
+  const std::size_t inputs =
+      transfer.rows().bytes() / sizeof(float) + (c.kind == &kInterreflected ? 0 : 3 * c.vertices);
   const Buffer<float> in = sh::bench::make_buffer<float>(inputs, 1.0F);
   const Buffer<float> out = sh::bench::make_buffer<float>(3 * c.vertices);
   const std::vector<double> t =
@@ -106,7 +127,10 @@ void others(Table& table) {
                         Case{"DS or DU, 9 coefficients", &kShadowed, 2, 2, false, 0},
                         Case{"DS or DU, 121 coefficients", &kShadowed, 10, 10, false, 0},
                         Case{"DI, 3 x 25 coefficients", &kInterreflected, 4, 4, false, 0},
-                        Case{"DI, 3 x 25 coefficients, white light", &kInterreflected, 4, 4, true, 0}}) {
+                        Case{"DI, 3 x 25 coefficients, white light", &kInterreflected, 4, 4, true, 0},
+                        Case{"DS or DU, 25 coefficients in half", &kShadowed, 4, 4, false, 0, Element::kHalf},
+                        Case{"DS or DU, 25 coefficients in 8 bits", &kShadowed, 4, 4, false, 0, Element::kByte},
+                        Case{"DI, 3 x 25 coefficients in half", &kInterreflected, 4, 4, false, 0, Element::kHalf}}) {
     Case sized = c;
     sized.vertices = vertices_of(c.kind, c.degree);
     const Times t = measure(sized);

@@ -26,7 +26,8 @@ struct EmittedCase {
 inline Transfer stored(Transfer transfer, Element element, std::vector<std::uint32_t> kept = {},
                        bool one_channel = false) {
   transfer.shape.storage = {element, one_channel, std::move(kept)};
-  transfer.coefficients = decode(encode(transfer.coefficients, transfer.shape), transfer.shape);
+  transfer.stored = encode(transfer.coefficients, transfer.shape);
+  transfer.coefficients.clear();
   return transfer;
 }
 

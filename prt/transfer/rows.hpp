@@ -1,0 +1,55 @@
+// Rows of numbers for reading. They are complete in memory, or as a file stores them (storage.hpp): half precision, 8
+// bits, some columns, one channel for three. A reader gets complete rows, a few at a time: what is stored is widened into
+// room that stays in the nearest caches, so that a file takes no more memory than its own bytes, and memory moves no more.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "prt/transfer/storage.hpp"
+
+namespace sh::prt {
+
+class Rows {
+ public:
+  /// complete (receivers, length), unless `stored` has the rows. Both must outlive the result. Throws
+  /// std::invalid_argument for scales of another count than the columns, and for columns that `shape` does not have.
+  Rows(const std::vector<float>& complete, const Encoded& stored, const TransferShape& shape);
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  /// The numbers of a complete row.
+  [[nodiscard]] std::size_t length() const { return length_; }
+  /// What memory holds of all rows.
+  [[nodiscard]] std::size_t bytes() const;
+  /// The complete rows `first` to first + count - 1, (count, length): in `room` if they are stored otherwise.
+  [[nodiscard]] const float* some(std::size_t first, std::size_t count, std::vector<float>& room) const;
+  /// All rows, (count, length).
+  [[nodiscard]] std::vector<float> all() const;
+
+  /// Calls work(first row, count, numbers) for the rows of a range in their order, some of them at a time.
+  template <class Work>
+  void each(std::size_t first, std::size_t count, const Work& work) const {
+    constexpr std::size_t kNumbersAtOnce = 8192;  // 32 KB
+    const std::size_t most = stored_ == nullptr ? count : std::max<std::size_t>(1, kNumbersAtOnce / length_);
+    std::vector<float> room;
+    for (std::size_t done = 0; done < count; done += most) {
+      const std::size_t now = std::min(most, count - done);
+      work(first + done, now, some(first + done, now, room));
+    }
+  }
+
+ private:
+  void widen(const std::byte* from, std::size_t rows, float* to) const;
+
+  const float* complete_ = nullptr;
+  const Encoded* stored_ = nullptr;
+  std::size_t length_;
+  std::size_t count_ = 0;
+  Element element_ = Element::kSingle;
+  std::size_t columns_ = 0;  // stored
+  std::size_t copies_ = 1;   // of a column, `apart_` numbers apart
+  std::size_t apart_ = 0;
+  std::vector<std::size_t> places_;  // of the columns in a complete row; empty: one after the other
+};
+
+}  // namespace sh::prt
