@@ -68,6 +68,7 @@ struct BatchDriver {
   std::string parts = {};     ///< for a sum: the family that adds up intermediate values faster; empty: there is none
   std::string finish = {};    ///< the family that makes the sum from these values
   bool half = false;          ///< true: input 0 may be half precision
+  bool rings = false;         ///< true: visibility times a light, in stages (runtime/transfer_rings.hpp) in float
   bool records = false;       ///< true: scalar products, which read plain records of input 0 as they are
   int largest = 10;           ///< the largest degree; beyond it a driver does not justify its compile time
 };

@@ -233,7 +233,7 @@ Family apply_family(const std::string& name, int channels, const std::string& wh
                  .unit = "|visibility| |light|, |light| = 1",
                  .test_inputs = [=](int degree) { return apply_inputs(degree, channels); },
                  .sizes = {"|visibility|"}},
-      .batch = BatchDriver{.what = what, .half = true, .largest = kLargest}};
+      .batch = BatchDriver{.what = what, .half = true, .rings = true, .largest = kLargest}};
 }
 
 Family glossy_family(const std::string& name, int channels, const std::string& what) {

@@ -190,6 +190,9 @@ std::map<std::string, std::string> batch_files(const std::vector<WrittenFamily>&
                                            {"batch/once.cpp", once_file(drivers)},
                                            {"batch/sizes.hpp", sizes_header(drivers)}};
   for (const Driver& driver : drivers) files["batch/" + driver.name + ".cpp"] = kernels_file(driver);
+  for (const Driver& driver : drivers) {
+    if (driver.spec.rings) files["batch/rings.hpp"] = rings_file(driver.last().degree);
+  }
   for (const auto& [name, text] : kRuntime) files["batch/" + std::string(name)] = text;
   files.merge(lane_tables());
   return files;

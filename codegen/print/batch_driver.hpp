@@ -71,6 +71,11 @@ inline constexpr int kLastOrbitDegree = 6;
 /// The last degree that is rotated in lanes.
 inline constexpr int kLastTurnDegree = 6;
 
+/// The first degree of transfer that is applied in stages on rings.
+inline constexpr int kFirstRingDegree = 2;
+/// batch/rings.hpp: the constants of these stages, from the first degree on to `largest`.
+std::string rings_file(int largest);
+
 /// Relative path -> text: orbits of products, triples of the Gaunt tensor, turns of bands.
 std::map<std::string, std::string> lane_tables();
 

@@ -38,22 +38,46 @@ int shared_input(const RecordSignature& s) {
   return found == s.inputs.end() ? -1 : static_cast<int>(found - s.inputs.begin());
 }
 
-std::string block_kernel(const std::string& name, const Kernel& kernel, Loop loop = Loop::kPlain) {
-  const bool is_float = loop == Loop::kHalf;
-  return filled(R"(template <int Degree$class_t>
-[[gnu::flatten]] void $name(const Blocks<$t>& blocks) {
-  $loop(blocks, [$capture](const Lanes<$t>* const* in, Lanes<$t>* out) {
-    $call
-  });
+// A statement of a kernel, or stages on rings where a degree has them.
+std::string in_stages(const Kernel& kernel, Loop loop, const std::string& statement) {
+  const int channels = signature_of(kernel).out_size / numeric::coefficient_count(kernel.degree);
+  const bool half = loop == Loop::kHalf;
+  std::string indented;
+  for (std::size_t at = 0, end = 0; at < statement.size(); at = end) {
+    end = statement.find('\n', at) + 1;
+    indented += "  " + statement.substr(at, end - at);
+  }
+  return filled(R"(  if constexpr (kInStages<Degree, $type>) {
+    apply_on_rings<Degree, $channels, $scalar>(blocks);
+  } else {
+$statement  }
+)",
+                {{"type", half ? "float" : "T"},
+                 {"channels", std::to_string(channels)},
+                 {"scalar", half ? "Half" : "T"},
+                 {"statement", indented}});
 }
 
+std::string block_kernel(const std::string& name, const Kernel& kernel, Loop loop = Loop::kPlain,
+                         bool has_stages = false) {
+  const bool is_float = loop == Loop::kHalf;
+  const std::string statement = filled(R"(  $loop(blocks, [$capture](const Lanes<$t>* const* in, Lanes<$t>* out) {
+    $call
+  });
 )",
-                {{"capture", shared_input(signature_of(kernel)) < 0 ? "" : "&blocks"},
-                 {"class_t", is_float ? ", int Size" : ", class T"},
+                                       {{"capture", shared_input(signature_of(kernel)) < 0 ? "" : "&blocks"},
+                                        {"t", is_float ? "float" : "T"},
+                                        {"loop", loop_of(signature_of(kernel), loop)},
+                                        {"call", call_of(kernel)}});
+  return filled(R"(template <int Degree$class_t>
+[[gnu::flatten]] void $name(const Blocks<$t>& blocks) {
+$body}
+
+)",
+                {{"class_t", is_float ? ", int Size" : ", class T"},
                  {"name", name},
                  {"t", is_float ? "float" : "T"},
-                 {"loop", loop_of(signature_of(kernel), loop)},
-                 {"call", call_of(kernel)}});
+                 {"body", has_stages ? in_stages(kernel, loop, statement) : statement}});
 }
 
 // The row of the table of plans for one degree.
@@ -134,11 +158,13 @@ std::string kernels_file(const Driver& driver) {
     if (further != nullptr) includes += "#include \"../cpp/" + further->back().kernel.family + ".hpp\"\n";
   }
   includes += "#include \"drive.hpp\"\n";
+  if (driver.spec.rings) includes += "#include \"transfer_rings.hpp\"\n";
   if (driver.prepares() || driver.adds_parts()) includes += "#include \"once.hpp\"\n";
-  std::string kernels = block_kernel("kernel", driver.last());
+  const bool rings = driver.spec.rings;
+  std::string kernels = block_kernel("kernel", driver.last(), Loop::kPlain, rings);
   if (driver.adds_parts()) kernels += block_kernel("parts", driver.parts->back().kernel);
   if (driver.prepares()) kernels += block_kernel("kernel_prepared", driver.prepared->back().kernel, Loop::kFixed);
-  if (driver.spec.half) kernels += block_kernel("kernel_half", driver.last(), Loop::kHalf);
+  if (driver.spec.half) kernels += block_kernel("kernel_half", driver.last(), Loop::kHalf, rings);
   std::string plans;
   for (std::size_t i = 0; i < driver.kernels.size(); ++i) plans += plan_row(driver, i);
   return filled(

@@ -6,6 +6,7 @@
 #include "codegen/print/statements.hpp"
 #include "codegen/recipes/parts.hpp"
 #include "codegen/recipes/product/orbits.hpp"
+#include "codegen/recipes/product/transfer_rings.hpp"
 #include "numeric/oracle/index.hpp"
 
 namespace sh::codegen::print {
@@ -90,6 +91,54 @@ $sums};
                  {"slots", rows_of(slots)},
                  {"values", rows_of(values)},
                  {"sums", rows_of(sums)}});
+}
+
+// Theta of every (m, l >= m) for cosines and sines, all pairs of rings of each; `of` gives one number.
+template <class Of>
+std::vector<std::string> thetas(int degree, int pairs, bool is_sine, const Of& of) {
+  std::vector<std::string> numbers;
+  for (int m = 0; m <= degree; ++m) {
+    for (int l = m; l <= degree; ++l) {
+      for (int pair = 0; pair < pairs; ++pair) numbers.push_back(in_float(of(is_sine, l, m, pair)));
+    }
+  }
+  return numbers;
+}
+
+// A member of two rows, for cosines and sines.
+template <class Row>
+std::string two_rows(const std::string& name, const Row& row) {
+  const std::vector<std::string> cosines = row(false);
+  return "  alignas(64) static constexpr float " + name + "[2][" + std::to_string(cosines.size()) + "] = {\n      {" +
+         rows_of(cosines).substr(kIndent) + "},\n      {" + rows_of(row(true)).substr(kIndent) + "}};\n";
+}
+
+std::string one_row(const std::string& name, const std::vector<std::string>& numbers) {
+  return "  alignas(64) static constexpr float " + name + "[] = {\n" + rows_of(numbers) + "};\n";
+}
+
+std::string rings_struct(int degree) {
+  const recipes::TransferRings rings(degree);
+  const auto theta = [&](bool is_sine) {
+    return thetas(2 * degree, degree, is_sine, [&](auto... at) { return rings.theta(at...); });
+  };
+  const auto result = [&](bool is_sine) {
+    return thetas(degree, degree, is_sine, [&](auto... at) { return rings.result(at...); });
+  };
+  const auto ratios = [&](bool is_sine) {
+    std::vector<std::string> numbers;
+    for (int m = 0; m <= 2 * degree; ++m) {
+      for (int j = 0; j < degree; ++j) numbers.push_back(in_float(rings.ratio(is_sine, m, j)));
+    }
+    return numbers;
+  };
+  std::vector<std::string> pole;
+  std::vector<std::string> pole_result;
+  for (int l = 0; l <= 2 * degree; ++l) pole.push_back(in_float(rings.pole(l)));
+  for (int l = 0; l <= degree; ++l) pole_result.push_back(in_float(rings.pole_result(l)));
+  return "\n// " + rings.definition() + "\ntemplate <>\nstruct Rings<" + std::to_string(degree) + "> : RingPlaces {\n" +
+         two_rows("kTheta", theta) + one_row("kPole", pole) + two_rows("kResult", result) +
+         one_row("kPoleResult", pole_result) + two_rows("kRatio", ratios) + "};\n";
 }
 
 std::string printed(int number) { return std::to_string(number); }
@@ -205,6 +254,32 @@ $turns
 }
 
 }  // namespace
+
+std::string rings_file(int largest) {
+  std::string structs;
+  for (int degree = kFirstRingDegree; degree <= largest; ++degree) structs += rings_struct(degree);
+  return filled(R"(// The rings on which visibility of degree 2n meets a light of degree n: for transfer_rings.hpp.
+//
+$stamp#pragma once
+
+namespace sh::batch::detail {
+
+constexpr int kFirstRingDegree = $first;
+
+struct RingPlaces {
+  // Of (l, m) among the degrees m .. largest of every order m.
+  static constexpr int place(int l, int m, int largest) { return m * (largest + 1) - m * (m - 1) / 2 + l - m; }
+};
+
+// kTheta, kResult: by cosine or sine, place and pair of rings; kPole, kPoleResult: by degree; kRatio: by cosine or sine,
+// order and angle.
+template <int Degree>
+struct Rings;
+$structs
+}  // namespace sh::batch::detail
+)",
+                {{"stamp", kStamp}, {"first", std::to_string(kFirstRingDegree)}, {"structs", structs}});
+}
 
 std::map<std::string, std::string> lane_tables() {
   std::map<std::string, std::string> files{{"batch/triples_l2.hpp", triples_file()}, {"batch/turns.hpp", turns_file()}};

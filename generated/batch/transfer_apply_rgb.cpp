@@ -4,22 +4,31 @@
 // Licence:      MIT-0; paste it anywhere.
 #include "../cpp/transfer_apply_rgb.hpp"
 #include "drive.hpp"
+#include "transfer_rings.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
 namespace {
 
 template <int Degree, class T>
 [[gnu::flatten]] void kernel(const Blocks<T>& blocks) {
-  for_every_register<2>(blocks, [&blocks](const Lanes<T>* const* in, Lanes<T>* out) {
-    sh::transfer_apply_rgb<Degree>(in[0], blocks.in[1], out);
-  });
+  if constexpr (kInStages<Degree, T>) {
+    apply_on_rings<Degree, 3, T>(blocks);
+  } else {
+    for_every_register<2>(blocks, [&blocks](const Lanes<T>* const* in, Lanes<T>* out) {
+      sh::transfer_apply_rgb<Degree>(in[0], blocks.in[1], out);
+    });
+  }
 }
 
 template <int Degree, int Size>
 [[gnu::flatten]] void kernel_half(const Blocks<float>& blocks) {
-  for_every_register_half<2, Size>(blocks, [&blocks](const Lanes<float>* const* in, Lanes<float>* out) {
-    sh::transfer_apply_rgb<Degree>(in[0], blocks.in[1], out);
-  });
+  if constexpr (kInStages<Degree, float>) {
+    apply_on_rings<Degree, 3, Half>(blocks);
+  } else {
+    for_every_register_half<2, Size>(blocks, [&blocks](const Lanes<float>* const* in, Lanes<float>* out) {
+      sh::transfer_apply_rgb<Degree>(in[0], blocks.in[1], out);
+    });
+  }
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "generated/cpp/relight_colored.hpp"
 #include "generated/cpp/relight_rgb.hpp"
 #include "generated/cpp/rotate.hpp"
+#include "generated/cpp/transfer_apply.hpp"
 #include "generated/cpp/transfer_apply_rgb.hpp"
 #include "generated/cpp/transfer_glossy.hpp"
 #include "generated/cpp/transfer_glossy_rgb.hpp"
@@ -187,6 +188,16 @@ Subject<T> transfer_subject(int degree) {
 }
 
 template <class T>
+Subject<T> gray_transfer_subject(int degree) {
+  return subject<T, 6>(
+      "transfer_apply", degree, {Kind::kVisibility}, coefficient_count(degree), {8, 8},
+      [degree](std::size_t n, const auto& in, Records<T> out) {
+        batch::transfer_apply(degree, n, in[0], samples_of<T>(degree), out);
+      },
+      []<int kDegree>(const auto& in, T* out) { transfer_apply<kDegree>(in[0], samples_of<T>(kDegree), out); });
+}
+
+template <class T>
 Subject<T> glossy_subject(int degree) {
   return subject<T, 6>(
       "transfer_glossy", degree, {Kind::kVisibility, Kind::kLobe, Kind::kDirection}, 1, {32, 32},
@@ -248,9 +259,13 @@ std::vector<Subject<T>> subjects() {
   for (const int degree : {0, 1, 2, 4, 5, 9, 10}) all.push_back(basis_subject<T>(degree));
   for (const int degree : {0, 2, 4, 6}) all.push_back(product_subject<T>(degree));
   for (const int degree : {0, 1, 2, 4, 6}) {
-    all.push_back(transfer_subject<T>(degree));
     all.push_back(glossy_subject<T>(degree));
     all.push_back(glossy_rgb_subject<T>(degree));
+  }
+  // In stages from degree 2 on; odd and even degrees fold their angles.
+  for (const int degree : {0, 1, 2, 3, 4, 5, 6}) {
+    all.push_back(transfer_subject<T>(degree));
+    all.push_back(gray_transfer_subject<T>(degree));
   }
   for (const int degree : {0, 1, 3, 6, 10}) {
     all.push_back(rotate_subject<T>(degree));
