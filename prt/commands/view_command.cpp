@@ -90,6 +90,10 @@ void add_stage(const std::string& file, const ViewCommand& options, Chosen& chos
   report_overlaps(stage, on_flaw(options.light.strict));
   ViewedSubject subject{name_of(file), stage.name, {}, stage.objects};
   for (const StageObject& object : stage.objects) {
+    if (object.volume) {
+      throw std::runtime_error(fmt::format(
+          "{}: {}: a page shadows objects by spheres; expected objects without `volume`", file, object.name));
+    }
     subject.files.push_back(place_of(
         object.file, [&] { return viewed(object.file, object.transfer); }, chosen));
   }

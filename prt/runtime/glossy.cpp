@@ -78,21 +78,23 @@ void add_clusters(const Clusters& clusters, const std::vector<float>& lit, std::
 // values (points, 3, bands^2) of the degree of the result or of the light, whichever is higher.
 void meet_points(const Transfer& volume, const LightCoefficients& light, std::vector<float>& values) {
   const TransferShape& shape = volume.shape;
-  const std::size_t points = volume.receivers();
+  const Rows rows = volume.rows();
+  const std::size_t points = rows.count();
   const int degree = std::max(shape.result_degree, light.degree);
   const std::size_t result = coefficient_count(shape.result_degree);
   const std::size_t bands = coefficient_count(degree);
   const std::vector<float> low = in_single(first_bands(light, std::min(light.degree, shape.degree)), shape.degree);
   values.resize(points * kChannels * bands);
   if (light.degree <= shape.degree && bands == result) {
-    return transfer_light(shape, points, volume.coefficients.data(), low, values.data());
+    return transfer_light(shape, rows, low, values.data());
   }
   std::vector<float> met(points * kChannels * result);
-  transfer_light(shape, points, volume.coefficients.data(), low, met.data());
+  transfer_light(shape, rows, low, met.data());
   const std::vector<float> all = in_single(light, degree);
   const std::size_t first = std::min(coefficient_count(shape.degree), bands);  // of the bands that are not met
   for_vertices(points, [&](std::size_t p) {
-    const float seen = volume.row(p)[0] * kPartOfSphere;
+    std::vector<float> room;
+    const float seen = rows.some(p, 1, room)[0] * kPartOfSphere;
     for (std::size_t c = 0; c < kChannels; ++c) {
       float* own = &values[(p * kChannels + c) * bands];
       std::fill(std::copy_n(&met[(p * kChannels + c) * result], result, own), own + bands, 0.0F);

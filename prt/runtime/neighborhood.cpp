@@ -93,7 +93,8 @@ Neighborhoods::Neighborhoods(const Stage& stage, std::vector<Pose> poses, const 
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     lights_.push_back(turned(light, poses_[i].rotation.transpose()));
     if (stage.objects[i].volume) {
-      neighbors_.push_back({i, stage.objects[i].volume.get(), {*stage.objects[i].volume, lights_.back()}});
+      const Transfer& volume = *stage.objects[i].volume;
+      neighbors_.push_back({i, &volume, volume.rows(), {volume, lights_.back()}});
     }
   }
   if (neighbors_.size() < 2) return;
@@ -134,8 +135,7 @@ LightCoefficients Neighborhoods::behind_all(std::size_t receiver, std::span<cons
   for (const Neighbor* neighbor : neighbors) {
     std::array<float, kMostCoefficients> own{};
     const TransferShape& shape = neighbor->volume->shape;
-    GridCell(*neighbor->volume->grid, local(neighbor->object, point))
-        .mix(neighbor->volume->coefficients.data(), shape.length(), own.data());
+    GridCell(*neighbor->volume->grid, local(neighbor->object, point)).mix(neighbor->visibility, own.data());
     const Eigen::Matrix3d turn = poses_[receiver].rotation.transpose() * poses_[neighbor->object].rotation;
     rotate_function<float>(shape.function_degree(), turn.cast<float>(), own.data(), own.data());
     if (neighbor == neighbors.front()) {

@@ -45,6 +45,7 @@ class Neighborhoods {
   struct Neighbor {
     std::size_t object;
     const Transfer* volume;
+    Rows visibility;
     TransferredRadiance reaching;  // in its axes
   };
   [[nodiscard]] LightCoefficients behind_one(std::size_t receiver, const Neighbor& neighbor,

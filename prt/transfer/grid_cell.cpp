@@ -9,9 +9,9 @@ namespace sh::prt {
 
 namespace {
 
-using Rows = std::array<const float*, 8>;
+using RowPointers = std::array<const float*, 8>;
 
-SHFORGE_WIDEST void mix_rows(const Rows& rows, const std::array<float, 8>& w, std::size_t length,
+SHFORGE_WIDEST void mix_rows(const RowPointers& rows, const std::array<float, 8>& w, std::size_t length,
                              float* __restrict out) {
   for (std::size_t i = 0; i < length; ++i) {
     const float low = (w[0] * rows[0][i] + w[1] * rows[1][i]) + (w[2] * rows[2][i] + w[3] * rows[3][i]);
@@ -42,9 +42,16 @@ GridCell::GridCell(const PointGrid& grid, const Eigen::Vector3d& point) {
 }
 
 void GridCell::mix(const float* rows, std::size_t length, float* out) const {
-  Rows of{};
+  RowPointers of{};
   for (std::size_t corner = 0; corner < of.size(); ++corner) of[corner] = rows + corners[corner] * length;
   mix_rows(of, weights, length, out);
+}
+
+void GridCell::mix(const Rows& rows, float* out) const {
+  RowPointers of{};
+  std::array<std::vector<float>, of.size()> rooms;
+  for (std::size_t corner = 0; corner < of.size(); ++corner) of[corner] = rows.some(corners[corner], 1, rooms[corner]);
+  mix_rows(of, weights, rows.length(), out);
 }
 
 }  // namespace sh::prt

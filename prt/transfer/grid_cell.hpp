@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "prt/transfer/point_grid.hpp"
+#include "prt/transfer/rows.hpp"
 
 namespace sh::prt {
 
@@ -17,6 +18,8 @@ struct GridCell {
 
   /// out (length) = the rows (points, length) of the corners, interpolated. The same bits on every machine.
   void mix(const float* rows, std::size_t length, float* out) const;
+  /// The same of rows that may be stored.
+  void mix(const Rows& rows, float* out) const;
 };
 
 }  // namespace sh::prt

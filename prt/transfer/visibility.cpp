@@ -3,6 +3,7 @@
 #include <oneapi/tbb/blocked_range.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/transfer_prepare.hpp"
@@ -46,8 +47,7 @@ void times_visibility(int degree, const Rows& visibility, const std::vector<floa
 
 // The kernels have one degree for light and result, and twice as much for the visibility: zeros fill it up, and the bands
 // above the result are left out.
-void transfer_light(const TransferShape& shape, std::size_t receivers, const float* visibility,
-                    const std::vector<float>& light, float* out) {
+void transfer_light(const TransferShape& shape, const Rows& visibility, const std::vector<float>& light, float* out) {
   const int degree = std::max(shape.degree, shape.result_degree);
   const std::size_t given = coefficient_count(shape.degree);
   std::vector<float> wide(kChannels * coefficient_count(degree));
@@ -55,21 +55,22 @@ void transfer_light(const TransferShape& shape, std::size_t receivers, const flo
     std::copy_n(light.begin() + static_cast<std::ptrdiff_t>(c * given), given, &wide[c * coefficient_count(degree)]);
   }
   const std::vector<float> prepared = prepared_light(degree, wide.data());
-  if (shape.degree == shape.result_degree) return times_visibility(degree, receivers, visibility, prepared, out);
+  if (shape.degree == shape.result_degree) return times_visibility(degree, visibility, prepared, out);
   const std::size_t columns = shape.columns();
   const std::size_t padded = coefficient_count(2 * degree);
   const std::size_t bands = coefficient_count(degree);
   const std::size_t kept = coefficient_count(shape.result_degree);
-  in_parallel(tbb::blocked_range<std::size_t>(0, receivers, kPaddedAtOnce), [&](const auto& all) {
+  in_parallel(tbb::blocked_range<std::size_t>(0, visibility.count(), kPaddedAtOnce), [&](const auto& all) {
     std::vector<float> seen(kPaddedAtOnce * padded);
     std::vector<float> lit(kept < bands ? kPaddedAtOnce * kChannels * bands : 0);
+    std::vector<float> room;
     for (std::size_t first = all.begin(); first < all.end(); first += kPaddedAtOnce) {
       const std::size_t count = std::min(kPaddedAtOnce, all.end() - first);
-      for (std::size_t v = 0; v < count; ++v) {
-        std::copy_n(visibility + (first + v) * columns, columns, &seen[v * padded]);
-      }
+      const float* rows = visibility.some(first, count, room);
+      for (std::size_t v = 0; v < count; ++v) std::copy_n(rows + v * columns, columns, &seen[v * padded]);
       float* to = lit.empty() ? out + first * kChannels * bands : lit.data();
-      batch::transfer_apply_rgb(degree, count, batch::plain(seen.data()), prepared.data(), batch::plain(to));
+      batch::transfer_apply_rgb(degree, count, batch::plain(std::as_const(seen).data()), prepared.data(),
+                                batch::plain(to));
       for (std::size_t row = 0; row < (lit.empty() ? 0 : count * kChannels); ++row) {
         std::copy_n(&lit[row * bands], kept, out + (first * kChannels + row) * kept);
       }

@@ -17,9 +17,8 @@ std::vector<float> prepared_light(int degree, const float* light);
 void times_visibility(int degree, const Rows& visibility, const std::vector<float>& prepared, float* out);
 
 /// The same where light and result may have different degrees, by a shape that meets the light by `operator`:
-/// out (receivers, 3, (result_degree+1)^2) = visibility (receivers, shape.columns()) times light (3, (degree+1)^2).
+/// out (rows, 3, (result_degree+1)^2) = visibility (rows, shape.columns()) times light (3, (degree+1)^2).
 /// Precondition: both degrees are 0 to kHighestProduct.
-void transfer_light(const TransferShape& shape, std::size_t receivers, const float* visibility,
-                    const std::vector<float>& light, float* out);
+void transfer_light(const TransferShape& shape, const Rows& visibility, const std::vector<float>& light, float* out);
 
 }  // namespace sh::prt

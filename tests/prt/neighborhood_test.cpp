@@ -97,6 +97,42 @@ std::vector<double> by_quadrature(const TransferShape& shape, const float* visib
   return sums;
 }
 
+/// As it is read from a file.
+Transfer stored(Transfer volume, Element element) {
+  volume.shape.storage.element = element;
+  volume.stored = encode(volume.coefficients, volume.shape);
+  volume.coefficients.clear();
+  return volume;
+}
+
+TEST(TransferredRadiance, AtPointsIsTheSameOfVisibilityThatIsStored) {
+  for (const auto& [degree, result] : {std::pair{2, 4}, {4, 4}, {4, 2}, {2, 0}}) {
+    for (const Element element : {Element::kHalf, Element::kByte}) {
+      const Transfer kept = stored(random_volume(degree, result), element);
+      Transfer widened = kept;
+      widened.coefficients = kept.rows().all();
+      widened.stored = {};
+      for (const int light_degree : {degree, degree + 2}) {
+        const LightCoefficients light = random_light(light_degree, 3);
+        const TransferredRadiance of_kept(kept, light);
+        const TransferredRadiance of_widened(widened, light);
+        const GridCell cell(*kept.grid, {0.3, -0.1, 0.7});
+        std::array<float, 3 * coefficient_count(6)> a{};
+        std::array<float, 3 * coefficient_count(6)> b{};
+        of_kept.at(cell, a.data());
+        of_widened.at(cell, b.data());
+        EXPECT_EQ(a, b) << degree << " " << result << " " << light_degree;
+      }
+      std::vector<float> direct(kept.shape.length());
+      std::vector<float> room(kept.shape.length());
+      const GridCell cell(*kept.grid, {-0.9, 0.2, 0.4});
+      cell.mix(kept.rows(), direct.data());
+      cell.mix(widened.coefficients.data(), room.size(), room.data());
+      EXPECT_EQ(direct, room);
+    }
+  }
+}
+
 TEST(TransferredRadiance, AtPointsIsTheProjectedProductForAllDegrees) {
   for (const auto& [degree, result] : {std::pair{0, 0}, {0, 3}, {2, 4}, {4, 2}, {1, 1}, {4, 4}, {2, 0}}) {
     const Transfer volume = random_volume(degree, result);
