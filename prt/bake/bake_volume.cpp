@@ -116,21 +116,6 @@ std::vector<RayStart> starts_of(const PointGrid& grid, const Frame& frame) {
   return starts;
 }
 
-// Calls each(neighbor) for the up to 26 points around a point, in order.
-template <class Each>
-void for_neighbors(const PointGrid& grid, std::size_t point, const Each& each) {
-  const std::array<std::uint32_t, 3> at = grid.place(point);
-  const auto low = [&](std::size_t axis) { return at[axis] == 0 ? 0 : at[axis] - 1; };
-  const auto high = [&](std::size_t axis) { return std::min(at[axis] + 1, grid.counts[axis] - 1); };
-  for (std::uint32_t k = low(2); k <= high(2); ++k) {
-    for (std::uint32_t j = low(1); j <= high(1); ++j) {
-      for (std::uint32_t i = low(0); i <= high(0); ++i) {
-        if (const std::size_t neighbor = grid.index({i, j, k}); neighbor != point) each(neighbor);
-      }
-    }
-  }
-}
-
 // Gives the points inside solids that lie beside others the numbers of these; tells how many lie inside.
 std::size_t fill_inside(const std::vector<Sight>& sight, Transfer& volume) {
   PointGrid& grid = *volume.grid;

@@ -58,7 +58,9 @@ void add_grid_command(CLI::App& tool) {
   command.add_option("--degrees", options->grid.degrees, "of the light: a column each, twice")
       ->expected(1, kMaxDegree + 1)
       ->check(CLI::Range(0, kMaxDegree));
-  command.add_option("--direction", options->direction, "X,Y,Z: towards the light; default: -0.5,0.5,0.7")->delimiter(',')->expected(3);
+  command.add_option("--direction", options->direction, "X,Y,Z: towards the light; default: -0.5,0.5,0.7")
+      ->delimiter(',')
+      ->expected(3);
   command.add_option("--width", options->grid.width, "width of the picture in pixels");
   options->grid.window.add_to(command);
   command.add_flag("--strict", options->strict, "refuse input that would otherwise be mended with a warning");

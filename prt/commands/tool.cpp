@@ -33,6 +33,7 @@ constexpr Command kCommands[] = {{"bake", sh::prt::add_bake_command},
                                  {"plan", sh::prt::add_plan_command},
                                  {"reconstruct", sh::prt::add_reconstruct_command},
                                  {"light-at", sh::prt::add_light_at_command},
+                                 {"probes", sh::prt::add_probes_command},
                                  {"study", sh::prt::add_study_command},
 #if defined(SHFORGE_EMIT)
                                  {"emit", sh::prt::add_emit_command},

@@ -22,19 +22,38 @@ struct CubeSize {
 inline constexpr int kMostFacePixels = 1024;
 inline constexpr int kMostPixelRays = 16;
 
+/// Throws std::invalid_argument for sizes out of range.
+void require_size(const CubeSize& size);
+
 struct SampledLight {
   LightCoefficients light;     // of radiance, as project() gives it for lights
-  Image faces;                 // the mapping kCubeStrip; without the lights that count by their share
   double surface_share = 0.0;  // of the sphere, where rays end on surfaces
   double back_share = 0.0;     // of those surfaces, seen from behind
+  /// Whether the point sees more backs than fronts.
+  [[nodiscard]] bool is_inside() const { return back_share > 0.5; }
 };
 
-/// The light at `point`, in world coordinates, among surfaces that send `surface`, and under `lights` where no surface is
-/// in the way. The object that will be lit must not be part of the mesh. The same bits for any number of threads. Throws
-/// std::invalid_argument for sizes out of range, and for a point that sees more backs than fronts: it is inside a
-/// solid. Throws std::runtime_error for a point inside a sphere light.
-SampledLight sampled_light(const Mesh& mesh, const Tracer& tracer, const Surface& surface,
-                           const std::vector<Light>& lights, const Eigen::Vector3d& point, const CubeSize& size,
-                           int degree);
+class LightSampler {
+ public:
+  /// Surfaces that send `surface`, and `lights` where no surface is in the way. An object that will be lit must not be
+  /// part of the mesh. Mesh and tracer must outlive this object. Throws std::invalid_argument for sizes out of range.
+  LightSampler(const Mesh& mesh, const Tracer& tracer, Surface surface, const std::vector<Light>& lights,
+               const CubeSize& size);
+
+  /// The light at a point of the world. The same bits for any number of threads. Throws std::runtime_error for a point
+  /// inside a sphere light.
+  [[nodiscard]] SampledLight at(const Eigen::Vector3d& point, int degree) const;
+
+ private:
+  friend class CubeView;  // what one point sees
+  const Mesh& mesh_;
+  const Tracer& tracer_;
+  Surface surface_;
+  CubeSize size_;
+  std::vector<Light> far_;                // in the pictures, the same at every point
+  std::vector<Light> small_;              // the same
+  std::vector<Light> near_;               // seen_from() a point
+  std::vector<Eigen::Vector3d> distant_;  // (size, 6 size): the mean of `far_` over the pixels
+};
 
 }  // namespace sh::prt

@@ -4,6 +4,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -39,6 +40,21 @@ struct PointGrid {
     return box.min() + spacing().cwiseProduct(Eigen::Vector3d(at[0], at[1], at[2]));
   }
 };
+
+/// Calls each(neighbor) for the up to 26 points around a point, in order.
+template <class Each>
+void for_neighbors(const PointGrid& grid, std::size_t point, const Each& each) {
+  const std::array<std::uint32_t, 3> at = grid.place(point);
+  const auto low = [&](std::size_t axis) { return at[axis] == 0 ? 0 : at[axis] - 1; };
+  const auto high = [&](std::size_t axis) { return std::min(at[axis] + 1, grid.counts[axis] - 1); };
+  for (std::uint32_t k = low(2); k <= high(2); ++k) {
+    for (std::uint32_t j = low(1); j <= high(1); ++j) {
+      for (std::uint32_t i = low(0); i <= high(0); ++i) {
+        if (const std::size_t neighbor = grid.index({i, j, k}); neighbor != point) each(neighbor);
+      }
+    }
+  }
+}
 
 /// What is wrong with a grid, as the end of a message; empty if nothing is: a box with three finite sides above 0 and
 /// within 1e30 of the origin, counts within the limits above, and no more filled points than points.

@@ -29,8 +29,8 @@ SampledLight sampled(const Mesh& mesh, const std::vector<LightSpec>& lights, con
   const Tracer tracer(mesh);
   std::vector<Eigen::Vector3f> radiance = mesh.emission;
   radiance.resize(mesh.positions.size(), Eigen::Vector3f::Zero());
-  return sampled_light(mesh, tracer, diffuse_surface(mesh, radiance), load_lights(lights, OnFlaw::kRefuse), point, size,
-                       kDegree);
+  return LightSampler(mesh, tracer, diffuse_surface(mesh, radiance), load_lights(lights, OnFlaw::kRefuse), size)
+      .at(point, kDegree);
 }
 
 double difference(const LightCoefficients& a, const LightCoefficients& b) {
@@ -171,9 +171,9 @@ TEST(SampledLight, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(sampled(mesh, lights, {0.1, 0.2, 0}).light.values, many.values);
 }
 
-TEST(SampledLight, RefusesPointsInsideSolidsAndSizesOutOfRange) {
+TEST(SampledLight, TellsPointsInsideSolidsAndRefusesSizesOutOfRange) {
   const Mesh box = primitive_mesh("box");
-  EXPECT_THROW(sampled(box, {}, {0.1, 0, 0}), std::invalid_argument);
+  EXPECT_TRUE(sampled(box, {}, {0.1, 0, 0}).is_inside());
   EXPECT_EQ(sampled(box, {}, {2, 0, 0}).back_share, 0.0);
   EXPECT_THROW(sampled(box, {}, {2, 0, 0}, {0, 1}), std::invalid_argument);
   EXPECT_THROW(sampled(box, {}, {2, 0, 0}, {kMostFacePixels + 1, 1}), std::invalid_argument);

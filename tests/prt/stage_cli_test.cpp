@@ -86,6 +86,47 @@ TEST_F(StageTool, TheLightAtAPointIsRefusedWhereItHasNoMeaning) {
   expect_refused({"light-at", folder->file("none.json"), "--at", "0,0,1"}, "none.json");
 }
 
+TEST_F(StageTool, ProbesAreWrittenForEngines) {
+  const Arguments stage{"probes",      scenes + "stage.json",
+                        "--transfers", folder->file(""),
+                        "--counts",    "3,2,2",
+                        "--box",       "-2,-2,0.5,2,2,3",
+                        "--face",      "4"};
+  const auto written = [&](const std::string& name, const Arguments& more) {
+    succeeded(joined(stage, joined({"-o", folder->file(name)}, more)));
+    return nlohmann::json::parse(read_all(folder->file(name)));
+  };
+  const nlohmann::json own = written("own.json", {"--degree", "1", "--check", "3"});
+  EXPECT_EQ(own["grid"]["counts"], nlohmann::json({3, 2, 2}));
+  EXPECT_EQ(own["probes"].size(), 12U);
+  EXPECT_EQ(own["valid"].size(), 12U);
+  EXPECT_GE(own["errors_between_probes"]["points"], 1);
+  EXPECT_LE(own["errors_between_probes"]["points"], 3);
+  // A probe is the light at its point.
+  const nlohmann::json light = printed({"light-at", scenes + "stage.json", "--transfers", folder->file(""), "--at",
+                                        "2,-2,0.5", "--face", "4", "--degree", "1"});
+  EXPECT_EQ(own["probes"][2], light["coefficients"]);
+  // In an engine's format it is what export writes of it.
+  const nlohmann::json unity = written("unity.json", {"--to", "unity", "--check", "0"});
+  const nlohmann::json second =
+      printed({"light-at", scenes + "stage.json", "--transfers", folder->file(""), "--at", "2,-2,0.5", "--face", "4"});
+  write_all(folder->file("second.json"), second.dump());
+  succeeded({"export", folder->file("second.json"), "--to", "unity", "-o", folder->file("one.json")});
+  EXPECT_EQ(unity["probes"][2], nlohmann::json::parse(read_all(folder->file("one.json"))));
+  EXPECT_FALSE(unity.contains("errors_between_probes"));
+}
+
+TEST_F(StageTool, ProbesAreRefusedWhereTheyHaveNoMeaning) {
+  const Arguments stage{"probes", scenes + "stage.json", "--transfers", folder->file(""), "-o", folder->file("p.json")};
+  expect_refused(joined(stage, {"--counts", "1,2,2"}), "--counts 1,2,2: expected 2 to");
+  expect_refused(joined(stage, {"--counts", "2,2"}), "--counts");
+  expect_refused(joined(stage, {"--box", "0,0,0,0,1,1"}), "box");
+  expect_refused(joined(stage, {"--to", "nobody"}), "--to nobody: expected a format of");
+  expect_refused(joined(stage, {"--to", "unity", "--degree", "3"}), "unity holds degrees up to 2");
+  expect_refused({"probes", "demo", "-o", folder->file("p.txt")}, ".json");
+  EXPECT_FALSE(std::filesystem::exists(folder->file("p.json")));
+}
+
 TEST_F(StageTool, RelightWritesTheMergedMeshOfEachFrame) {
   succeeded({"relight", scenes + "stage.json", "--transfers", folder->file(""), "--frames", "2", "-o",
              folder->file("s.ply")});
