@@ -13,7 +13,7 @@
 #include "numeric/output/atomic_file.hpp"
 #include "numeric/output/progress.hpp"
 #include "prt/chunks.hpp"
-#include "prt/splats/input_file.hpp"
+#include "prt/binary/input_file.hpp"
 #include "prt/splats/splat_axes.hpp"
 
 namespace sh::prt {

@@ -14,7 +14,7 @@
 #include "prt/binary/glb_container.hpp"
 #include "prt/scene/json_reader.hpp"
 #include "prt/splats/glb_splats.hpp"
-#include "prt/splats/input_file.hpp"
+#include "prt/binary/input_file.hpp"
 
 namespace sh::prt {
 namespace {

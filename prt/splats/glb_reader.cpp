@@ -7,7 +7,7 @@
 
 #include "prt/splats/glb_document.hpp"
 #include "prt/splats/glb_splats.hpp"
-#include "prt/splats/input_file.hpp"
+#include "prt/binary/input_file.hpp"
 #include "prt/splats/splat_convention.hpp"
 #include "prt/splats/splat_numbers.hpp"
 

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <utility>
 
-#include "prt/splats/input_file.hpp"
+#include "prt/binary/input_file.hpp"
 #include "prt/splats/splats.hpp"
 
 namespace sh::prt {

@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "numeric/output/read_file.hpp"
-#include "prt/splats/input_file.hpp"
+#include "prt/binary/input_file.hpp"
 #include "prt/splats/splat_convention.hpp"
 #include "prt/splats/splat_numbers.hpp"
 

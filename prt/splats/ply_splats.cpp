@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "numeric/output/atomic_file.hpp"
-#include "prt/splats/input_file.hpp"
+#include "prt/binary/input_file.hpp"
 #include "prt/splats/ply_records.hpp"
 
 namespace sh::prt {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "prt/splats/glb_splats.hpp"
-#include "prt/splats/input_file.hpp"
+#include "prt/binary/input_file.hpp"
 #include "prt/splats/ply_splats.hpp"
 #include "prt/splats/spz_splats.hpp"
 

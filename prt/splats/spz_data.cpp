@@ -11,8 +11,8 @@
 
 #include "prt/binary/gzip.hpp"
 #include "prt/chunks.hpp"
-#include "prt/splats/gzip_reader.hpp"
-#include "prt/splats/input_file.hpp"
+#include "prt/binary/gzip_reader.hpp"
+#include "prt/binary/input_file.hpp"
 #include "prt/splats/splats.hpp"
 
 namespace sh::prt {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "numeric/output/atomic_file.hpp"
-#include "prt/splats/input_file.hpp"
+#include "prt/binary/input_file.hpp"
 #include "prt/splats/splat_convention.hpp"
 #include "prt/splats/spz_codes.hpp"
 #include "prt/splats/spz_data.hpp"

@@ -1,4 +1,4 @@
-#include "prt/splats/input_file.hpp"
+#include "prt/binary/input_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

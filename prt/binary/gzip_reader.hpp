@@ -1,6 +1,7 @@
 // gzip streams [RFC 1952] by zlib, inflated piece by piece.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -8,11 +9,11 @@ namespace sh::prt {
 
 class InputFile;
 
-/// Inflates a file from its start. Throws std::runtime_error with one line for what is no gzip stream, is truncated,
+/// Inflates a file from a byte on. Throws std::runtime_error with one line for what is no gzip stream, is truncated,
 /// damaged (CRC-32, once the end is read) or followed by further bytes.
 class GzipReader {
  public:
-  explicit GzipReader(const InputFile& file);
+  explicit GzipReader(const InputFile& file, std::uint64_t first_byte = 0);
   ~GzipReader();
   GzipReader(const GzipReader&) = delete;
   GzipReader& operator=(const GzipReader&) = delete;

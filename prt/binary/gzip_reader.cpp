@@ -1,4 +1,4 @@
-#include "prt/splats/gzip_reader.hpp"
+#include "prt/binary/gzip_reader.hpp"
 
 #include <zlib.h>
 
@@ -7,7 +7,7 @@
 #include <memory>
 #include <new>
 
-#include "prt/splats/input_file.hpp"
+#include "prt/binary/input_file.hpp"
 
 namespace sh::prt {
 namespace {
@@ -24,7 +24,9 @@ struct GzipReader::State {
   bool at_end = false;
 };
 
-GzipReader::GzipReader(const InputFile& file) : file_(file), state_(std::make_unique<State>()) {
+GzipReader::GzipReader(const InputFile& file, std::uint64_t first_byte)
+    : file_(file), state_(std::make_unique<State>()) {
+  state_->next = first_byte;
   if (inflateInit2(&state_->stream, kGzipOnly) != Z_OK) throw std::bad_alloc();
 }
 
