@@ -8,6 +8,7 @@
 #include "prt/bake/bake.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
+#include "prt/commands/medium_commands.hpp"
 #include "prt/plan/plan.hpp"
 #include "prt/runtime/fixed_view.hpp"
 #include "prt/runtime/glossy.hpp"
@@ -202,6 +203,38 @@ void require_vectors(const BakeCommand& options, const Scene& scene) {
   }
 }
 
+void require_medium_options(const BakeCommand& options, const std::string& name) {
+  const std::pair<bool, const char*> given[] = {{!options.kind.empty(), "--kind"},
+                                                {!options.sampler.empty(), "--sampler"},
+                                                {options.seed.has_value(), "--seed"},
+                                                {!options.compress.empty(), "--compress"},
+                                                {options.compress_auto, "--compress-auto"},
+                                                {options.fit_lobes, "--fit-lobes"},
+                                                {!options.plan.empty(), "--plan"},
+                                                {options.error.has_value(), "--error"},
+                                                {!options.turns.empty(), "--light-turns"},
+                                                {!options.without.empty(), "--without"},
+                                                {!options.vectors.empty(), "--vectors"},
+                                                {!options.instruction_set.empty(), "--instruction-set"},
+                                                {!options.checkpoint.empty(), "--checkpoint"},
+                                                {options.restart, "--restart"},
+                                                {options.budget_seconds.has_value(), "--budget-seconds"}};
+  for (const auto& [is_given, option] : given) {
+    if (is_given) {
+      throw std::invalid_argument(fmt::format(
+          "{}: {}: is for meshes; for a medium expected --degree, --directions or --bounce-memory", name, option));
+    }
+  }
+}
+
+void run_medium_bake(const BakeCommand& options, Scene scene) {
+  require_medium_options(options, scene.name);
+  options.apply_to(scene);
+  const std::size_t memory = options.bounce_memory << 20U;
+  if (options.only_estimate) return print_medium_estimate(scene, memory);
+  bake_medium_to_file(scene, memory, options.output);
+}
+
 void run_bake(const BakeCommand& options) {
   const Stopwatch stopwatch;
   if (!options.only_estimate) require_output(options.output);
@@ -211,8 +244,10 @@ void run_bake(const BakeCommand& options) {
                               .on_flaw = on_flaw(options.strict),
                               .bounce_memory = options.bounce_memory << 20U,
                               .checkpoint = checkpoint_of(options)};
-  BakeJob job(load_scene(options.scene, settings.on_flaw), settings);
-  output::require_no_input(options.output, job.scene.files);
+  Scene scene = load_scene(options.scene, settings.on_flaw);
+  output::require_no_input(options.output, scene.files);
+  if (scene.medium) return run_medium_bake(options, std::move(scene));
+  BakeJob job(std::move(scene), settings);
   output::require_no_input(settings.checkpoint.path, job.scene.files);
   options.apply_to(job.scene);
   require_vectors(options, job.scene);
@@ -231,6 +266,7 @@ void run_bake(const BakeCommand& options) {
 void run_plan(const PlanCommand& options) {
   const Stopwatch stopwatch;
   Scene scene = load_scene(options.scene, OnFlaw::kMend);
+  require_meshes(scene, "a plan");
   options.apply_to(scene);
   if (options.plan.empty()) scene.plan.mode = PlanMode::kLossy;
   const BakeJob job = planned({std::move(scene), {.threads = options.threads}});

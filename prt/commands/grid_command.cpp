@@ -6,6 +6,7 @@
 #include "numeric/output/atomic_file.hpp"
 #include "prt/bake/bake.hpp"
 #include "prt/commands/light_grid.hpp"
+#include "prt/commands/medium_commands.hpp"
 
 namespace sh::prt {
 namespace {
@@ -33,6 +34,7 @@ void run(const Options& options) {
   LightGrid grid = options.grid;
   if (!options.direction.empty()) grid.direction = Eigen::Map<const Eigen::Vector3d>(options.direction.data());
   const Scene scene = load_scene(options.scene, on_flaw(options.strict));
+  require_meshes(scene, "a grid of lights");
   if (!scene.mesh.mirror.empty()) {
     throw std::invalid_argument(
         fmt::format("{}: has mirrors, which the grid does not follow; expected a scene without mirrors", scene.name));

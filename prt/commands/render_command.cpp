@@ -1,11 +1,11 @@
-// `prt render FILE -o out.png`: pictures of a baked mesh or of a stage, one or a sequence.
+// `prt render FILE -o out.png`: pictures of a baked mesh, a stage or a medium, one or a sequence.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "prt/commands/subject.hpp"
+#include "prt/commands/shown.hpp"
 #include "prt/image/tone_map.hpp"
 #include "prt/runtime/render.hpp"
 #include "prt/scene/camera.hpp"
@@ -64,28 +64,62 @@ void check(const RenderCommand& options) {
   }
 }
 
-/// Renders frame after frame; places meshes and rebuilds their tree only if something has moved.
+/// A baked mesh or a stage. Places meshes and rebuilds their tree only if something has moved.
+class ShownSubject : public Shown {
+ public:
+  explicit ShownSubject(const RenderCommand& options) : options_(options), subject_(options.subject) {}
+
+  [[nodiscard]] const std::vector<Light>& lights() const override { return subject_.lights(); }
+  [[nodiscard]] Turntable turntable() const override {
+    return subject_.is_stage() ? Turntable::kNone : Turntable::kLight;
+  }
+  void require_no_input(const std::string& output) const override { subject_.require_no_input(output); }
+
+  const Camera& place(double time) override {
+    const std::vector<Pose> poses = subject_.poses_at(time);
+    if (!tracer_ || poses != poses_) {
+      poses_ = poses;
+      mesh_ = subject_.mesh(poses_);
+      tracer_ = std::make_unique<Tracer>(mesh_, options_.threads);
+    }
+    if (!camera_) camera_ = subject_.camera().value_or(default_camera(mesh_, options_.size));
+    return *camera_;
+  }
+
+  [[nodiscard]] Picture picture(const View& view, const Background& background, const std::string& what) override {
+    return render(mesh_, *tracer_, subject_.surface(poses_, mesh_, view.light_turn), view.camera, options_.size,
+                  background, what);
+  }
+
+ private:
+  const RenderCommand& options_;
+  Subject subject_;
+  std::vector<Pose> poses_;
+  Mesh mesh_;
+  std::unique_ptr<Tracer> tracer_;
+  std::optional<Camera> camera_;
+};
+
+/// Renders frame after frame.
 class Sequence {
  public:
-  Sequence(const RenderCommand& options, Subject& subject, PictureFiles& files)
+  Sequence(const RenderCommand& options, Shown& shown, PictureFiles& files)
       : options_(options),
-        subject_(subject),
+        shown_(shown),
         files_(files),
-        show_light_(shows_light(options.background, subject.lights())),
-        turntable_(value_called<Turntable>(options.turntable, kTurntables)
-                       .value_or(subject.is_stage() ? Turntable::kNone : Turntable::kLight)),
+        show_light_(shows_light(options.background, shown.lights())),
+        turntable_(value_called<Turntable>(options.turntable, kTurntables).value_or(shown.turntable())),
         tone_(value_called<ToneCurve>(options.tone, kTones).value()) {}
 
   void render_frame(int frame) {
     const double time = static_cast<double>(frame) / options_.frames;
-    place(subject_.poses_at(time));
-    const View view = view_at(turntable_, *camera_, time);
-    Picture picture = render(mesh_, *tracer_, subject_.surface(poses_, mesh_, view.light_turn), view.camera,
-                             options_.size, background(show_light_, turned(subject_.lights(), view.light_turn)),
-                             fmt::format("render {} ({} of {})", files_.name(frame), frame + 1, options_.frames));
+    const View view = view_at(turntable_, shown_.place(time), time);
+    Picture picture =
+        shown_.picture(view, background(show_light_, turned(shown_.lights(), view.light_turn)),
+                       fmt::format("render {} ({} of {})", files_.name(frame), frame + 1, options_.frames));
     if (frame == 0) {  // one exposure for all frames: the picture must not flicker
-      exposure_ =
-          options_.fixed_exposure.value_or(automatic_exposure(picture.covered())) * std::exp2(options_.exposure_stops);
+      exposure_ = options_.fixed_exposure.value_or(automatic_exposure(picture.covered(shown_.least_coverage()))) *
+                  std::exp2(options_.exposure_stops);
     }
     if (!show_light_) put_on_gray(picture, exposure_);
     files_.add(frame, tone_map(picture.radiance, exposure_, tone_));
@@ -94,24 +128,12 @@ class Sequence {
   [[nodiscard]] float exposure() const { return exposure_; }
 
  private:
-  void place(const std::vector<Pose>& poses) {
-    if (tracer_ && poses == poses_) return;
-    poses_ = poses;
-    mesh_ = subject_.mesh(poses_);
-    tracer_ = std::make_unique<Tracer>(mesh_, options_.threads);
-    if (!camera_) camera_ = subject_.camera().value_or(default_camera(mesh_, options_.size));
-  }
-
   const RenderCommand& options_;
-  Subject& subject_;
+  Shown& shown_;
   PictureFiles& files_;
   bool show_light_;
   Turntable turntable_;
   ToneCurve tone_;
-  std::vector<Pose> poses_;
-  Mesh mesh_;
-  std::unique_ptr<Tracer> tracer_;
-  std::optional<Camera> camera_;
   float exposure_ = 1.0F;
 };
 
@@ -119,9 +141,10 @@ void run(const RenderCommand& options) {
   check(options);
   PictureFiles files(options.output, options.frames, options.size.width, options.size.height, options.animation);
   const Stopwatch stopwatch;
-  Subject subject(options.subject);
-  for (int frame = 0; frame < options.frames; ++frame) subject.require_no_input(files.name(frame));
-  Sequence sequence(options, subject, files);
+  std::unique_ptr<Shown> shown = shown_medium(options.subject, options.size);
+  if (!shown) shown = std::make_unique<ShownSubject>(options);
+  for (int frame = 0; frame < options.frames; ++frame) shown->require_no_input(files.name(frame));
+  Sequence sequence(options, *shown, files);
   for (int frame = 0; frame < options.frames; ++frame) sequence.render_frame(frame);
   files.finish();
   report_time(stopwatch, fmt::format("rendered {} picture{} of {} x {} pixels, {} samples each, exposure {:.4g}",
@@ -133,7 +156,8 @@ void run(const RenderCommand& options) {
 
 void add_render_command(CLI::App& tool) {
   auto options = std::make_shared<RenderCommand>();
-  CLI::App& command = *tool.add_subcommand("render", "render a baked mesh or a stage to PNG or animated WebP");
+  CLI::App& command =
+      *tool.add_subcommand("render", "render a baked mesh, a stage or a medium to PNG or animated WebP");
   options->subject.add_to(command);
   command
       .add_option("-o,--output", options->output,

@@ -5,6 +5,7 @@
 
 #include "numeric/output/atomic_file.hpp"
 #include "prt/commands/commands.hpp"
+#include "prt/commands/medium_commands.hpp"
 #include "prt/rays/tracer.hpp"
 #include "prt/study/error_picture.hpp"
 #include "prt/study/study.hpp"
@@ -79,6 +80,7 @@ void run(const Options& options) {
   const Stopwatch stopwatch;
   make_folder(options.out);
   const Scene scene = load_scene(options.scene, on_flaw(options.strict));
+  require_meshes(scene, "a study");
   output::require_no_input(study_file(options.out), scene.files);
   const Study study =
       run_study(scene, study_options(options), [&](const Study& so_far) { write(options.out, so_far, scene); });

@@ -7,17 +7,19 @@ namespace sh::prt {
 
 namespace {
 
-// Those of surfaces, then those of volumes.
-constexpr std::array<const TransferKind*, 7> kKinds = {&kUnshadowed,       &kShadowed,       &kInterreflected,
+// Those of surfaces, then those of volumes, then those of media.
+constexpr std::array<const TransferKind*, 8> kKinds = {&kUnshadowed,       &kShadowed,       &kInterreflected,
                                                        &kGlossyUnshadowed, &kGlossyShadowed, &kGlossyInterreflected,
-                                                       &kNeighborhood};
+                                                       &kNeighborhood,     &kMedium};
 constexpr std::size_t kSurfaceKinds = 6;
 
 }  // namespace
 
 TransferKinds transfer_kinds() { return TransferKinds(kKinds).first(kSurfaceKinds); }
 
-TransferKinds volume_kinds() { return TransferKinds(kKinds).subspan(kSurfaceKinds); }
+TransferKinds volume_kinds() { return TransferKinds(kKinds).subspan(kSurfaceKinds, 1); }
+
+TransferKinds medium_kinds() { return TransferKinds(kKinds).last(1); }
 
 TransferKinds file_kinds() { return kKinds; }
 

@@ -33,6 +33,8 @@ struct TransferKind {
   bool on_grid = false;
   /// True if the result may have any degree up to `highest_degree`; else shape() gives it.
   bool any_result = false;
+  /// True if the receivers are inside a medium, whose density (Transfer::density) goes with their transfer.
+  bool in_medium = false;
 
   /// True if a vertex keeps the radiance that reaches it, as a function of direction, and its material decides at run
   /// time what leaves it towards the eye.
@@ -74,12 +76,17 @@ extern const TransferKind kGlossyInterreflected;
 /// the object does not block.
 extern const TransferKind kNeighborhood;
 
+/// Inside a medium [SloanKautzSnyder02, section 7] (DV): every point of a grid keeps the light that scatters there, as
+/// radiance or, where the phase function prefers a direction, as coefficients of the direction in which the point is seen.
+extern const TransferKind kMedium;
+
 using TransferKinds = std::span<const TransferKind* const>;
 
-/// The kinds of surfaces, whose receivers are vertices; those of volumes, whose receivers are the points of a grid; and all
-/// that a file may have.
+/// The kinds of surfaces, whose receivers are vertices; those of volumes around objects and those of media, whose receivers
+/// are the points of a grid; and all that a file may have.
 TransferKinds transfer_kinds();
 TransferKinds volume_kinds();
+TransferKinds medium_kinds();
 TransferKinds file_kinds();
 
 /// The name of a kind by which to find it: &TransferKind::letters or &TransferKind::word.

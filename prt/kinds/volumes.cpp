@@ -14,9 +14,13 @@ TransferShape visibility(int degree) {
   return {.degree = degree, .result_degree = kResultDegree, .meets = Meets::kOperator, .holds_cosine = false};
 }
 
+// What scatters at a point, with the albedo: radiance, or coefficients of the direction in which it is seen.
+TransferShape scattered(int degree) { return {.channels = 3, .degree = degree, .holds_albedo = true}; }
+
 }  // namespace
 
 constinit const TransferKind kNeighborhood = {"N",     "neighborhood", visibility, {}, nullptr, kHighestProduct,
                                               nullptr, true,           true};
+constinit const TransferKind kMedium = {"DV", "medium", scattered, {}, nullptr, kMaxDegree, nullptr, true, true, true};
 
 }  // namespace sh::prt

@@ -14,7 +14,7 @@ namespace sh::prt {
 
 using Counts = std::array<int, 3>;  // of voxels along x, y, z
 
-inline constexpr int kMostVoxelsAlong = 4096;
+inline constexpr int kMostVoxelsAlong = 4094;
 inline constexpr std::size_t kMostVoxels = std::size_t{1} << 26U;
 
 /// Empty for counts of 1 to kMostVoxelsAlong whose product is at most kMostVoxels; else what is expected.

@@ -68,13 +68,13 @@ std::vector<Puff> puffs(std::uint64_t seed) {
   std::vector<Puff> all;
   for (int i = 0; i < kPuffs; ++i) {
     const auto random = [&](int what) { return hash(seed, i, what, -1); };
-    const double out = 0.62 * std::sqrt(random(0));
+    const double out = 0.66 * std::sqrt(random(0));
     const double x = 2.0 * random(1) - 1.0;
     const double y = 2.0 * random(2) - 1.0;
     const double far = std::max(1e-9, std::sqrt(x * x + y * y));
     const double room = 1.0 - out;
-    const Point center(out * x / far, 0.8 * out * y / far, -0.45 + 0.8 * random(3) * room);
-    all.push_back({center, 0.16 + 0.32 * room * (0.5 + 0.5 * random(4))});
+    const Point center(out * x / far, 0.8 * out * y / far, -0.45 + 1.0 * random(3) * room);
+    all.push_back({center, 0.18 + 0.42 * room * (0.5 + 0.5 * random(4))});
   }
   return all;
 }
@@ -85,9 +85,9 @@ double cloud(const std::vector<Puff>& heap, std::uint64_t seed, const Point& p) 
   for (const Puff& puff : heap) {
     inside = std::max(inside, 1.0 - std::sqrt((p - puff.center).square().sum()) / puff.radius);
   }
-  const double rough = octaves(seed, 3.0 * (p + 8.0), kOctaves);
-  const double base = smooth((p.z() + 0.62) / 0.12);
-  return base * smooth((inside + 0.55 * rough) / 0.3);
+  const double rough = octaves(seed, 3.5 * (p + 8.0), kOctaves);
+  const double base = smooth((p.z() + 0.7) / 0.15);
+  return base * smooth((inside + 0.8 * rough) / 0.25);
 }
 
 double smoke(std::uint64_t seed, const Point& p) {

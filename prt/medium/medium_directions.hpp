@@ -6,6 +6,8 @@
 
 namespace sh::prt {
 
+inline constexpr int kMostMediumDirections = 1 << 16;
+
 struct MediumDirection {
   Eigen::Vector3d direction;  // unit
   double weight;              // of the sphere; the sum of all is 1

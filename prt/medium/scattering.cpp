@@ -1,20 +1,17 @@
 #include "prt/medium/scattering.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "numeric/output/progress.hpp"
+#include "numeric/output/stopwatch.hpp"
 #include "prt/arrays.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 
 namespace sh::prt {
-namespace {
-
-constexpr double kOpaque = 1e-12;  // of the light behind: it then is that of the last face
-
-}  // namespace
-
 Scattering::Scattering(const Density& density, std::vector<MediumDirection> directions)
     : density_(density), padded_(density), directions_(std::move(directions)) {
   for (const MediumDirection& direction : directions_) paths_.emplace_back(density, padded_, direction.direction);
@@ -48,48 +45,36 @@ std::vector<float> Scattering::direct(int degree) const {
 // `room` has a zero for each voxel, before and after.
 FormFactorRow Scattering::row(std::size_t voxel, std::vector<double>& room) const {
   const Counts place = density_.place(voxel);
-  const std::size_t start = padded_.index(place[0], place[1], place[2]);
-  std::vector<std::uint32_t> met{static_cast<std::uint32_t>(voxel)};
-  const auto add = [&](std::uint32_t to, double weight) {
-    if (room[to] == 0.0) met.push_back(to);
-    room[to] += weight;
-  };
+  std::vector<std::uint32_t> met;
   for (std::size_t j = 0; j < directions_.size(); ++j) {
-    double arrives = directions_[j].weight;
-    const PathCell* before = nullptr;
-    double of_face = 0.0;  // the weight of the face before
-    const std::size_t length = paths_[j].length(place);
-    const auto give = [&] {
-      if (of_face == 0.0) return;
-      if (before == nullptr) return add(static_cast<std::uint32_t>(voxel), of_face);
-      for (std::size_t c = 0; c < 4; ++c) {
-        const double weight = of_face * before->weight[c];
-        if (weight > 0.0) add(padded_.voxel(std::size_t(std::ptrdiff_t(start) + before->face[c])), weight);
-      }
-    };
-    for (std::size_t k = 0; k < length; ++k) {
-      const PathCell& cell = paths_[j].cells()[k];
-      const CellWeights weights = cell_weights(VoxelPath::optical_depth(cell, padded_, start));
-      of_face += arrives * weights.near;
-      give();
-      before = &cell;
-      of_face = arrives * weights.far;
-      arrives *= weights.through;
-      if (arrives < kOpaque * directions_[j].weight) {
-        of_face += arrives;
-        break;
-      }
-    }
-    give();
+    for_sources(paths_[j], padded_, place, static_cast<std::uint32_t>(voxel), [&](std::uint32_t to, double weight) {
+      if (room[to] == 0.0) met.push_back(to);
+      room[to] += directions_[j].weight * weight;
+    });
   }
   std::sort(met.begin(), met.end());
   FormFactorRow row;
   for (const std::uint32_t to : met) {
-    if (room[to] == 0.0) continue;  // an own voxel that is empty
+    if (room[to] == 0.0) continue;  // a weight that was nothing at first
     row.push_back({to, room[to]});
     room[to] = 0.0;
   }
   return row;
+}
+
+SampledRows Scattering::sample(double seconds) const {
+  const output::Stopwatch stopwatch;
+  SampledRows rows;
+  std::vector<double> room(density_.size());
+  do {
+    const double turn = static_cast<double>(rows.count) / std::numbers::phi;
+    const double part = turn - std::floor(turn);
+    const auto voxel = static_cast<std::size_t>(part * static_cast<double>(density_.size()));
+    rows.bytes += row(voxel, room).size() * sizeof(FormFactor);
+    ++rows.count;
+  } while (rows.count < density_.size() && stopwatch.seconds() < seconds);
+  rows.seconds = stopwatch.seconds() / tbb::this_task_arena::max_concurrency();
+  return rows;
 }
 
 FormFactors Scattering::between_voxels(std::size_t most_bytes) const {

@@ -13,6 +13,13 @@
 
 namespace sh::prt {
 
+/// Some rows of K, made in so many seconds on all threads.
+struct SampledRows {
+  std::size_t count = 0;
+  std::size_t bytes = 0;
+  double seconds = 0.0;
+};
+
 /// Paths through a density, one for each direction. The density must outlive it.
 class Scattering {
  public:
@@ -23,6 +30,13 @@ class Scattering {
   [[nodiscard]] std::vector<float> direct(int degree) const;
   /// K. Rows beyond `most_bytes` are made anew for each product, with the same result.
   [[nodiscard]] FormFactors between_voxels(std::size_t most_bytes) const;
+  /// Makes rows of K, spread over the voxels, for about so many seconds; at least one.
+  [[nodiscard]] SampledRows sample(double seconds) const;
+
+  [[nodiscard]] const Density& density() const { return density_; }
+  [[nodiscard]] const PaddedDensity& padded() const { return padded_; }
+  [[nodiscard]] const std::vector<MediumDirection>& directions() const { return directions_; }
+  [[nodiscard]] const std::vector<VoxelPath>& paths() const { return paths_; }  // one for each direction
 
  private:
   [[nodiscard]] FormFactorRow row(std::size_t voxel, std::vector<double>& room) const;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "prt/medium/density.hpp"
@@ -52,6 +53,43 @@ class VoxelPath {
   std::vector<PathCell> cells_;
   std::array<std::vector<std::size_t>, 3> lengths_;
 };
+
+/// Calls give(voxel, weight) for the voxels whose light reaches the center of a voxel along a path, some of them several
+/// times; the weights sum to 1 less the transmittance. Precondition: `place` is that of `voxel`.
+template <class Give>
+void for_sources(const VoxelPath& path, const PaddedDensity& padded, const Counts& place, std::uint32_t voxel,
+                 const Give& give) {
+  constexpr double kOpaque = 1e-12;  // of the light behind: it then is that of the last face
+  const std::size_t start = padded.index(place[0], place[1], place[2]);
+  const std::size_t length = path.length(place);
+  double arrives = 1.0;
+  double own = 0.0;  // of the face before, which for the first cell is the voxel itself
+  const PathCell* before = nullptr;
+  const auto give_face = [&] {
+    if (before == nullptr) {
+      if (own > 0.0) give(voxel, own);
+      return;
+    }
+    for (std::size_t c = 0; c < 4; ++c) {
+      const double weight = own * before->weight[c];
+      if (weight > 0.0) give(padded.voxel(start + static_cast<std::size_t>(before->face[c])), weight);
+    }
+  };
+  for (std::size_t k = 0; k < length && arrives > 0.0; ++k) {
+    const PathCell& cell = path.cells()[k];
+    const CellWeights weights = cell_weights(VoxelPath::optical_depth(cell, padded, start));
+    own += arrives * weights.near;
+    give_face();
+    before = &cell;
+    own = arrives * weights.far;
+    arrives *= weights.through;
+    if (arrives < kOpaque) {
+      own += arrives;
+      arrives = 0.0;
+    }
+  }
+  give_face();
+}
 
 /// The share of the light from far off, in the path's direction, that reaches the center of a voxel.
 double transmittance(const VoxelPath& path, const PaddedDensity& padded, const Counts& place);

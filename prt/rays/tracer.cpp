@@ -38,6 +38,8 @@ std::array<InstructionSet, 4> instruction_sets() {
                           __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512vl") != 0}}};
 }
 
+}  // namespace
+
 std::string choose_instruction_set(const std::string& wanted) {
   std::string names;
   for (const InstructionSet& set : instruction_sets()) {
@@ -47,6 +49,8 @@ std::string choose_instruction_set(const std::string& wanted) {
   throw std::invalid_argument(
       fmt::format("instruction set {}: expected one that this machine has ({})", wanted, names));
 }
+
+namespace {
 
 [[noreturn]] void fail(const char* what) { throw std::runtime_error(fmt::format("ray tracer: {}", what)); }
 

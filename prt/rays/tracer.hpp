@@ -33,6 +33,10 @@ struct alignas(16) ShadowRay {
   [[nodiscard]] bool blocked() const { return far < 0.0F; }
 };
 
+/// The wanted instruction set, or the best up to avx2 that the processor has. Throws std::invalid_argument for one that it
+/// does not have.
+std::string choose_instruction_set(const std::string& wanted = "");
+
 /// A mesh ready for rays. If two faces coincide with opposite orientation (the sides of one sheet), a ray hits the one
 /// that faces it. Const calls may come from any thread. The tracer does not refer to the mesh after construction.
 class Tracer {

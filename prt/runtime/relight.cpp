@@ -32,6 +32,11 @@ void require_diffuse(const Transfer& transfer) {
         fmt::format("{}: glossy transfer ({}) shows other light in every direction; expected diffuse transfer",
                     transfer.scene, transfer.kind->letters));
   }
+  if (transfer.shape.rows() > 1) {
+    throw std::invalid_argument(fmt::format(
+        "{}: its medium shows other light in every direction; expected one with an isotropic phase function",
+        transfer.scene));
+  }
 }
 
 void require_no_albedo(const Transfer& transfer) {
@@ -42,9 +47,9 @@ void require_no_albedo(const Transfer& transfer) {
 }
 
 void require_count(std::size_t count, const Transfer& transfer, const char* what) {
-  if (count != transfer.mesh.positions.size()) {
-    throw std::invalid_argument(fmt::format("{} {} for {} vertices: expected one for each vertex", count, what,
-                                            transfer.mesh.positions.size()));
+  if (count != transfer.receivers()) {
+    throw std::invalid_argument(
+        fmt::format("{} {} for {} vertices: expected one for each vertex", count, what, transfer.receivers()));
   }
 }
 
@@ -94,7 +99,7 @@ void sums_of(const TransferShape& shape, const Rows& rows, std::size_t first, st
 /// Calls work(first vertex, vertices) for ranges of at most kVerticesAtOnce vertices, in parallel.
 template <class Work>
 void for_ranges(const Transfer& transfer, const Work& work) {
-  const tbb::blocked_range<std::size_t> all(0, transfer.mesh.positions.size(), kVerticesAtOnce);
+  const tbb::blocked_range<std::size_t> all(0, transfer.receivers(), kVerticesAtOnce);
   in_parallel(all, [&](const auto& range) {
     for (std::size_t v = range.begin(); v < range.end(); v += kVerticesAtOnce) {
       work(v, std::min(kVerticesAtOnce, range.end() - v));
@@ -156,13 +161,13 @@ void relight_with(const Transfer& transfer, const LightCoefficients& light, std:
                   std::span<Eigen::Vector3f> radiance) {
   require_diffuse(transfer);
   require_light(transfer, light);
-  require_count(colors.size(), transfer, "colors");
+  if (!transfer.shape.holds_albedo) require_count(colors.size(), transfer, "colors");
   require_count(radiance.size(), transfer, "radiances");
   const std::vector<float> values = light_of(transfer, light);
   if (!transfer.clusters.empty()) {
     return for_clustered(transfer, values, [&](std::size_t v, const Eigen::Vector3f& sums) {
       radiance[v] = sums;
-      finish(transfer, v, 1, &colors[v], &radiance[v]);
+      finish(transfer, v, 1, colors.data() + v, &radiance[v]);
     });
   }
   const Rows rows = transfer.rows();
@@ -175,7 +180,7 @@ void relight_with(const Transfer& transfer, const LightCoefficients& light, std:
                                radiance[first].data());
     }
     sums_of(transfer.shape, rows, first, count, values, radiance[first].data());
-    finish(transfer, first, count, &colors[first], &radiance[first]);
+    finish(transfer, first, count, colors.data() + first, &radiance[first]);
   });
 }
 
@@ -213,7 +218,7 @@ void relight_into(const Transfer& transfer, const LightCoefficients& light, std:
 
 std::vector<Eigen::Vector3f> relight(const Transfer& transfer, const LightCoefficients& light) {
   std::vector<Eigen::Vector3f> radiance;
-  renew_on_large_pages(radiance, transfer.mesh.positions.size());
+  renew_on_large_pages(radiance, transfer.receivers());
   relight_into(transfer, light, radiance);
   return radiance;
 }
@@ -221,7 +226,7 @@ std::vector<Eigen::Vector3f> relight(const Transfer& transfer, const LightCoeffi
 std::vector<Eigen::Vector3f> recolored(const Transfer& transfer, const LightCoefficients& light,
                                        std::span<const Eigen::Vector3f> colors) {
   require_no_albedo(transfer);
-  std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
+  std::vector<Eigen::Vector3f> radiance(transfer.receivers());
   relight_with(transfer, light, colors, radiance);
   return radiance;
 }
@@ -244,7 +249,7 @@ std::vector<float> relight_gray(const Transfer& transfer, const LightCoefficient
   require_no_albedo(transfer);
   std::vector<float> values = light_of(transfer, light);
   values.resize(transfer.shape.count());
-  std::vector<float> radiance(transfer.mesh.positions.size());
+  std::vector<float> radiance(transfer.receivers());
   if (!transfer.clusters.empty()) {
     for_clustered(transfer, values, [&](std::size_t v, const Eigen::Vector3f& sums) { radiance[v] = sums[0]; });
     return radiance;

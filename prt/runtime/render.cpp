@@ -93,25 +93,28 @@ Eigen::Vector3f CameraFrame::direction(float column, float row) const {
   return (forward_ + (2.0F * column / width_ - 1.0F) * right_ + (2.0F * row / height_ - 1.0F) * down_).normalized();
 }
 
-void trace_row(const Tracer& tracer, const Camera& camera, const PictureSize& size, int row, RowOfRays& rays) {
-  const CameraFrame frame(camera, size);
-  rays.directions.clear();
+std::vector<Eigen::Vector3f> CameraFrame::directions(int row, const PictureSize& size) const {
+  std::vector<Eigen::Vector3f> directions;
   for (int column = 0; column < size.width; ++column) {
     for (int k = 0; k < size.samples; ++k) {
       const Eigen::Vector2f offset = pattern(k);
-      rays.directions.push_back(
-          frame.direction(static_cast<float>(column) + offset.x(), static_cast<float>(row) + offset.y()));
+      directions.push_back(direction(static_cast<float>(column) + offset.x(), static_cast<float>(row) + offset.y()));
     }
   }
+  return directions;
+}
+
+void trace_row(const Tracer& tracer, const Camera& camera, const PictureSize& size, int row, RowOfRays& rays) {
+  rays.directions = CameraFrame(camera, size).directions(row, size);
   const std::vector<Eigen::Vector3f> origins(rays.directions.size(), eye_in(tracer.frame(), camera));
   rays.hits.resize(rays.directions.size());
   tracer.intersect(origins, rays.directions, rays.hits);
 }
 
-std::vector<Eigen::Vector3f> Picture::covered() const {
+std::vector<Eigen::Vector3f> Picture::covered(float least) const {
   std::vector<Eigen::Vector3f> out;
   for (std::size_t i = 0; i < radiance.size(); ++i) {
-    if (coverage[i] == 1.0F) out.push_back(radiance[i]);
+    if (coverage[i] >= least) out.push_back(radiance[i]);
   }
   return out;
 }

@@ -21,6 +21,9 @@ class CameraFrame {
   CameraFrame(const Camera& camera, const PictureSize& size);
   /// Continuous pixel coordinates; the center of a pixel is at column + 1/2, row + 1/2.
   [[nodiscard]] Eigen::Vector3f direction(float column, float row) const;
+  /// Those of one row of a picture of that size, pixel by pixel. Every pixel has the same number of rays, at the points of
+  /// one fixed low-discrepancy pattern (the R2 sequence). A single sample goes through the center.
+  [[nodiscard]] std::vector<Eigen::Vector3f> directions(int row, const PictureSize& size) const;
 
  private:
   Eigen::Vector3f forward_;
@@ -30,8 +33,7 @@ class CameraFrame {
   float height_;
 };
 
-/// The rays of one row of pixels, pixel by pixel. Every pixel has the same number of rays, at the points of one fixed
-/// low-discrepancy pattern (the R2 sequence). A single sample goes through the center.
+/// The rays of one row of pixels.
 struct RowOfRays {
   std::vector<Eigen::Vector3f> directions;
   std::vector<Hit> hits;
@@ -45,8 +47,8 @@ struct Picture {
   std::vector<Eigen::Vector3f> radiance;  // (height, width), row-major, top row first
   std::vector<float> coverage;            // (height, width): the part of a pixel's samples that hit the mesh
 
-  /// The radiance of the pixels that the mesh covers completely.
-  [[nodiscard]] std::vector<Eigen::Vector3f> covered() const;
+  /// The radiance of the pixels that are covered by no less than this part.
+  [[nodiscard]] std::vector<Eigen::Vector3f> covered(float least = 1.0F) const;
 };
 
 /// The radiance that a ray in this unit direction sees if it hits nothing.

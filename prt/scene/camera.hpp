@@ -25,6 +25,8 @@ struct PictureSize {
 /// A camera that looks at the center of the mesh from the front (-y), right and above, at a distance at which the
 /// bounding sphere fits the picture.
 Camera default_camera(const Mesh& mesh, const PictureSize& size);
+/// The same of a box.
+Camera default_camera(const Eigen::AlignedBox3d& box, const PictureSize& size);
 
 /// What turns in a sequence. kLight: the light, about +z. kCamera: the camera, about the vertical through its target.
 /// kObject: all visible objects, about that vertical, under a light at rest.

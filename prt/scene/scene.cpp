@@ -154,6 +154,33 @@ std::vector<std::string> files_of(const std::string& scene, const std::string& f
   return files;
 }
 
+BakeOptions read_medium_bake(const JsonReader& reader) {
+  reader.allow({"degree", "directions", "tolerance"});
+  BakeOptions options = read_bake_options(reader);
+  if (!reader.find("directions")) options.directions = kMediumDirections;
+  return options;
+}
+
+// A medium stands alone: no light goes between it and meshes.
+Scene load_medium(const std::string& scene, const JsonReader& reader, const std::string& folder) {
+  reader.allow({"name", "medium", "lights", "camera", "bake"});
+  Scene result;
+  result.name = std::filesystem::path(scene).stem().string();
+  reader.take("name", result.name, &JsonReader::text);
+  result.lights = read_lights(reader, folder);
+  result.bake.directions = kMediumDirections;
+  if (const auto bake = reader.find("bake")) result.bake = read_medium_bake(*bake);
+  result.medium = read_medium(reader.at("medium"), folder);
+  result.camera = default_camera(result.medium->extinction.support(), PictureSize());
+  reader.take("camera", result.camera, read_camera, result.camera);
+  result.files = {scene};
+  if (!result.medium->file.empty()) result.files.push_back(result.medium->file);
+  for (const LightSpec& light : result.lights) {
+    if (!light.file.empty()) result.files.push_back(light.file);
+  }
+  return result;
+}
+
 }  // namespace
 
 Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
@@ -165,8 +192,9 @@ Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   const nlohmann::json document = has_mesh_name(scene) ? around_mesh(scene) : read_json(scene);
   const JsonReader reader(scene, document);
   const std::string folder = std::filesystem::path(scene).parent_path().string();
-  reader.allow({"name", "meshes", "ground", "lights", "camera", "bake", "plan"});
   Scene result;
+  if (reader.find("medium")) return load_medium(scene, reader, folder);
+  reader.allow({"name", "meshes", "medium", "ground", "lights", "camera", "bake", "plan"});
   result.plan.mode = PlanMode::kExact;
   result.name = std::filesystem::path(scene).stem().string();
   reader.take("name", result.name, &JsonReader::text);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "prt/light/light.hpp"
+#include "prt/medium/medium.hpp"
 #include "prt/mesh/mend.hpp"
 #include "prt/mesh/mesh.hpp"
 #include "prt/scene/camera.hpp"
@@ -24,7 +25,8 @@ struct Disc {
 
 struct Scene {
   std::string name;
-  Mesh mesh;
+  Mesh mesh;                     // empty if there is a medium
+  std::optional<Medium> medium;  // in place of a mesh
   std::vector<LightSpec> lights;
   Camera camera;
   BakeOptions bake;

@@ -54,6 +54,8 @@ std::vector<JsonReader> material_readers(const JsonReader& mesh);
 
 /// Reads one entry of `meshes` and checks it. Relative paths start in `folder`.
 MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw);
+/// Reads the key `medium`. Its density is read or made.
+Medium read_medium(const JsonReader& reader, const std::string& folder);
 Ground read_ground(const JsonReader& reader, const Mesh& mesh);
 /// Reads one entry of `lights`; its files are not loaded yet.
 LightSpec read_light(const JsonReader& reader, const std::string& folder);

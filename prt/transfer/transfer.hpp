@@ -76,6 +76,13 @@ struct Shortfall {
   [[nodiscard]] bool any() const { return directions > 0 || tolerance > 0.0; }
 };
 
+/// The medium around receivers inside it.
+struct MediumRecord {
+  std::array<float, 3> albedo{};  // linear RGB, 0..1
+  double anisotropy = 0.0;        // g of the phase function [HenyeyGreenstein41]
+  std::uint32_t directions = 0;   // in which light was followed
+};
+
 /// The transfer of every receiver: the vertices of `mesh`, or the points of `grid`.
 struct Transfer {
   std::string scene;              // the scene's name, for people
@@ -87,7 +94,9 @@ struct Transfer {
   Sampler sampler = Sampler::kFibonacci;
   std::uint32_t seed = 0;           // of the sampler
   std::string instruction_set;      // on which the bits are reproducible
-  BounceReport bounces;             // of kinds with bounces
+  BounceReport bounces;             // of kinds with bounces, and of media
+  MediumRecord medium;              // of kinds inside a medium
+  std::vector<float> density;       // of the medium, (receivers): its extinction, 1 / unit of the scene
   std::vector<float> coefficients;  // (receivers, channels, rows, columns), row-major; columns i = l(l+1)+m
   Encoded stored;     // in place of `coefficients` where a file has other numbers than these: the file's, as they are
   Clusters clusters;  // in place of `coefficients` where shape.storage is clustered

@@ -17,6 +17,9 @@ Transfer read_transfer(const std::string& path, TransferKinds kinds = transfer_k
 /// Whether a file can be read and begins as a transfer file does.
 bool is_transfer_file(const std::string& path);
 
+/// The kind of a transfer file whose header can be read; null for any other file.
+const TransferKind* kind_of_file(const std::string& path);
+
 /// The JSON header of the file for programs: conventions, units, kind, counts, and the meaning of the vectors.
 std::string transfer_header(const Transfer& transfer);
 

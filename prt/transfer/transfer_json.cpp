@@ -257,7 +257,37 @@ PointGrid grid_from(const nlohmann::json& json) {
   return grid;
 }
 
-std::string_view holds(const TransferShape& shape, bool on_grid) {
+Json to_json(const Transfer& transfer, const MediumRecord& medium) {
+  return {{"albedo", medium.albedo},
+          {"anisotropy", medium.anisotropy},
+          {"directions", medium.directions},
+          {"density", "extinction, 1 / unit of positions"},
+          {"scattering", to_json(transfer.bounces)}};
+}
+
+void take_medium(const nlohmann::json& json, Transfer& transfer) {
+  MediumRecord& medium = transfer.medium;
+  medium.albedo = json.at("albedo").get<std::array<float, 3>>();
+  medium.anisotropy = json.at("anisotropy").get<double>();
+  medium.directions = whole_from<std::uint32_t>(json.at("directions"));
+  const bool is_albedo = std::all_of(medium.albedo.begin(), medium.albedo.end(),
+                                     [](float value) { return value >= 0.0F && value <= 1.0F; });
+  if (!is_albedo || json["albedo"].size() != 3 || !(std::abs(medium.anisotropy) < 1.0)) {
+    throw std::invalid_argument(
+        "transfer file of a medium whose albedo is not from 0 to 1, or anisotropy not within 1");
+  }
+  transfer.bounces = bounces_from(json.at("scattering"));
+}
+
+std::string_view holds(const Transfer& transfer) {
+  const TransferShape& shape = transfer.shape;
+  const bool on_grid = transfer.kind->on_grid;
+  if (transfer.kind->in_medium) {
+    return shape.rows() == 1
+               ? "what scatters at the point, the albedo too: radiance of channel c = sum_i T_ci L_ci"
+               : "what scatters at the point, the albedo too: coefficient r, by the direction in which the "
+                 "point is seen, of the radiance of channel c = sum_i T_cri L_ci";
+  }
   if (on_grid && shape.meets == Meets::kOperator) {
     return "visibility V, 1 where the object blocks nothing: V times the light, on the bands of the result, reaches "
            "the point";
@@ -348,7 +378,7 @@ std::string transfer_header(const Transfer& transfer) {
   }
   header.update({{"directions", transfer.directions},
                  {"instruction_set", transfer.instruction_set},
-                 {"holds", holds(transfer.shape, transfer.grid.has_value())},
+                 {"holds", holds(transfer)},
                  {"convention", "real SH, orthonormal, no Condon-Shortley phase, i = l(l+1)+m, band 1 is (y,z,x)"},
                  {"axes", "right-handed, z up"},
                  {"units", transfer.shape.holds_cosine
@@ -364,6 +394,7 @@ std::string transfer_header(const Transfer& transfer) {
     header["sampler"] = name_of(transfer.sampler);
     header["seed"] = transfer.seed;
   }
+  if (transfer.kind->in_medium) header["medium"] = to_json(transfer, transfer.medium);
   if (transfer.kind->has_bounces()) header["bounces"] = to_json(transfer.bounces);
   if (transfer.kind->indirect != nullptr) put_indirect(transfer.indirect_shape, header);
   if (!transfer.indirect_clusters.empty()) header["indirect"]["error"] = transfer.indirect_clusters.error;
@@ -387,6 +418,7 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
   transfer.shape = shape_from(header, version, *transfer.kind);
   if (transfer.kind->on_grid) transfer.grid = grid_from(header.at("grid"));
   if (header.contains("frame")) transfer.mesh.frame = frame_from(header.at("frame"));
+  if (transfer.kind->in_medium) take_medium(header.at("medium"), transfer);
   if (transfer.kind->has_bounces()) transfer.bounces = bounces_from(header.at("bounces"));
   if (transfer.kind->indirect != nullptr) {
     transfer.indirect_shape = indirect_from(header.at("indirect"), *transfer.kind, transfer.degree());

@@ -77,7 +77,7 @@ struct Kind {
   Rows rows;
   Presence presence;
 };
-inline constexpr std::array<Kind, 22> kSections = {
+inline constexpr std::array<Kind, 23> kSections = {
     {{"position", kFloat, 3, Rows::kReceivers, Presence::kAlways},
      {"normal", kFloat, 3, Rows::kReceivers, Presence::kAlways},
      {"geonorm", kFloat, 3, Rows::kReceivers, Presence::kAlways},
@@ -99,12 +99,13 @@ inline constexpr std::array<Kind, 22> kSections = {
      {"cluster", kSmall, 1, Rows::kReceivers, Presence::kAlways},
      {"weight", kByte, 0, Rows::kReceivers, Presence::kAlways},
      {"icluster", kSmall, 1, Rows::kReceivers, Presence::kAlways},
-     {"iweight", kByte, 0, Rows::kReceivers, Presence::kAlways}}};
+     {"iweight", kByte, 0, Rows::kReceivers, Presence::kAlways},
+     {"density", kFloat, 1, Rows::kReceivers, Presence::kAlways}}};
 
 /// The sections of a mesh, which a transfer to the points of a grid does not have.
 constexpr bool is_of_mesh(const Kind& kind) {
-  constexpr std::array<std::string_view, 8> kOthers = {"transfer", "emitted", "scale",    "indirect",
-                                                       "cluster",  "weight",  "icluster", "iweight"};
+  constexpr std::array<std::string_view, 9> kOthers = {"transfer", "emitted",  "scale",   "indirect", "cluster",
+                                                       "weight",   "icluster", "iweight", "density"};
   return std::find(kOthers.begin(), kOthers.end(), kind.name) == kOthers.end();
 }
 constexpr bool is_weight(const Kind& kind) { return kind.name.ends_with("weight"); }
@@ -128,6 +129,7 @@ inline Presence presence_of(const Kind& kind, const Transfer& transfer) {
   const bool has_part = !is_of_indirect(kind) || transfer.kind->indirect != nullptr;
   const bool has_clusters = !is_of_clusters(kind) || shape_of(kind, transfer).storage.is_clustered();
   const bool has_mesh = !is_of_mesh(kind) || !transfer.kind->on_grid;
+  if (kind.name == "density") return transfer.kind->in_medium ? kind.presence : Presence::kNever;
   return has_part && has_clusters && has_mesh && columns_of(kind, transfer) > 0 ? kind.presence : Presence::kNever;
 }
 
@@ -164,6 +166,7 @@ void each_section(AnyTransfer& transfer, AnyEncoded& encoded, AnyEncoded& indire
   visit(transfer.clusters.weights);
   visit(transfer.indirect_clusters.cluster);
   visit(transfer.indirect_clusters.weights);
+  visit(transfer.density);
 }
 
 /// A name in the form of the table.

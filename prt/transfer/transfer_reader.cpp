@@ -32,6 +32,16 @@ class Reader {
     if (!file_ || error) fail(fmt::format("cannot read: {}", error ? error.message() : std::strerror(errno)));
   }
 
+  const TransferKind* kind() {
+    read_prologue();
+    read_table();
+    const nlohmann::json header = parsed_header();
+    const auto letters = header.find("kind");
+    return letters != header.end() && letters->is_string()
+               ? find_kind(&TransferKind::letters, letters->get<std::string>(), kinds_)
+               : nullptr;
+  }
+
   Transfer read() {
     read_prologue();
     read_table();
@@ -229,6 +239,15 @@ bool is_transfer_file(const std::string& path) {
   std::array<char, layout::kMagic.size()> first{};
   std::ifstream(path, std::ios::binary).read(first.data(), first.size());
   return first == layout::kMagic;
+}
+
+const TransferKind* kind_of_file(const std::string& path) {
+  if (!is_transfer_file(path)) return nullptr;
+  try {
+    return Reader(path, file_kinds()).kind();
+  } catch (const std::runtime_error&) {
+    return nullptr;
+  }
 }
 
 Transfer read_transfer(const std::string& path, TransferKinds kinds) { return Reader(path, kinds).read(); }

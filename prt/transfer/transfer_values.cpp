@@ -70,6 +70,9 @@ std::string flaw_of_values(const Transfer& transfer) {
   if (transfer.grid) {
     if (std::string flaw = flaw_of(*transfer.grid); !flaw.empty()) return flaw;
   }
+  if (!all(transfer.density, [](float value) { return value >= 0.0F && std::isfinite(value); })) {
+    return "a density is negative or not finite";
+  }
   if (!names_vertices(mesh)) return "it names a vertex that is not there";
   if (!all(mesh.positions, is_finite)) return "a position is not finite";
   if (!all(mesh.normals, is_unit) || !all(mesh.geometric_normals, is_unit)) return "a normal is not of length 1";

@@ -44,6 +44,7 @@ void check_lengths(const Transfer& transfer) {
                                                  transfer.indirect_clusters, transfer.indirect_shape, receivers)
                                           : !transfer.indirect.empty() || !transfer.stored_indirect.empty()) ||
       (!transfer.emitted.empty() && transfer.emitted.size() != receivers) ||
+      transfer.density.size() != (transfer.kind->in_medium ? receivers : 0) ||
       (!mesh.mirror.empty() && mesh.mirror.size() != vertices) ||
       (!mesh.specular.empty() && mesh.specular.size() != vertices) || mesh.exponent.size() != mesh.specular.size() ||
       (!mesh.brdf.empty() && mesh.brdf.size() != vertices) ||
