@@ -17,10 +17,13 @@ std::vector<float> scattered_light(const Transfer& transfer, const LightCoeffici
   }
   require_light(transfer, light);
   const std::vector<float> values = in_single(light, transfer.degree());
+  const Rows numbers = transfer.rows();
   for_vertices(transfer.receivers(), [&](std::size_t v) {
+    std::vector<float> room;
+    const float* own = numbers.some(v, 1, room);
     for (std::size_t c = 0; c < 3; ++c) {
-      batch::relight(shape.degree, rows, batch::plain(transfer.row(v) + c * shape.count()),
-                     values.data() + c * shape.columns(), batch::plain(&sent[(3 * v + c) * rows]));
+      batch::relight(shape.degree, rows, batch::plain(own + c * shape.count()), values.data() + c * shape.columns(),
+                     batch::plain(&sent[(3 * v + c) * rows]));
     }
   });
   return sent;
