@@ -216,8 +216,8 @@ void require_medium_options(const BakeCommand& options, const std::string& name)
                                                 {!options.without.empty(), "--without"},
                                                 {!options.vectors.empty(), "--vectors"},
                                                 {!options.instruction_set.empty(), "--instruction-set"},
-                                                {!options.checkpoint.empty(), "--checkpoint"},
-                                                {options.restart, "--restart"},
+                                                {!options.checkpoint.file.empty(), "--checkpoint"},
+                                                {options.checkpoint.restart, "--restart"},
                                                 {options.budget_seconds.has_value(), "--budget-seconds"}};
   for (const auto& [is_given, option] : given) {
     if (is_given) {
