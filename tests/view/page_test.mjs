@@ -333,6 +333,21 @@ test('One lobe for all surfaces is that of a file which was baked with it', asyn
   }, kSize);
 });
 
+test('One lobe for all surfaces stays beside a file without lobes', async () => {
+  prt('view', 'glossy.transfer', 'shadowed.transfer', '--scene', 'glossy.json', '-o', 'beside.html');
+  await withPage('beside.html', async (page) => {
+    await set(page, { exposure: 0.5 });
+    const before = await canvasPicture(page);
+    await set(page, { ownSurface: true, exponent: 40, specular: 0.4 });
+    const alone = await canvasPicture(page);
+    assert.ok(rootMeanSquare(before, alone) > 0.02);
+    await set(page, { compare: 'wipe', wipe: 0.9 });
+    await page.addStyleTag({ content: '#divider { display: none; }' });
+    const both = await canvasPicture(page);
+    assert.ok(both.rgb.every((value, i) => Math.floor(i / 3) % kWidth > 0.9 * kWidth - 2 || Math.abs(value - alone.rgb[i]) < 0.01));
+  }, kSize);
+});
+
 test('A served page shows the same, and answers to no other name', async () => {
   const server = spawnPrt('view', 'shadowed.transfer', '--scene', 'shadowed.json', '--serve');
   try {

@@ -53,7 +53,7 @@ test('Normal maps, lobes and BRDFs are those of prt render, at every pixel', asy
   const shadowed = await compare('dented', 'dented.json', ['--kind', 'glossy_shadowed', ...plain], {});
   await compare('unshadowed', 'dented.json', ['--kind', 'glossy_unshadowed', ...plain], { options: { bake: { degree: 7 } } });
   await compare('bounced', 'dented.json', ['--kind', 'glossy_interreflected', '--compress', 8, 4], { options: { bake: { degree: 2 } } });
-  const sheet = { file: 'sheet.obj', albedo: [0.4, 0.5, 0.4], specular: [0.3, 0.3, 0.3], exponent: 8, normal_map: kDents, max_edge: 0.5, transform: { scale: 1.8, translate: [0, 0, -0.9] } };
+  const sheet = { file: 'sheet.obj', albedo: [0.4, 0.5, 0.4], specular: [0.3, 0.3, 0.3], exponent: 8, emission: [0.2, 0.1, 0], normal_map: kDents, max_edge: 0.5, transform: { scale: 1.8, translate: [0, 0, -0.9] } };
   await compare('mirrored', 'mirrored.json', ['--kind', 'glossy_shadowed', ...plain], { options: { meshes: [sheet], bake: { degree: 2 } } });
   dentedScene('smooth.json', { mapped: null });
   prt('bake', 'smooth.json', '-o', 'smooth.transfer', '--no-checkpoint', '--kind', 'glossy_shadowed', ...plain);
