@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "numeric/output/progress.hpp"
@@ -133,10 +136,27 @@ Gatherer::Gatherer(const Mesh& mesh, const std::vector<RayStart>& starts, const 
       weights_(directions.size(), 1.0F / static_cast<float>(directions.size())),
       heights_(directions.size()) {}
 
-void Gatherer::weigh_sphere() {
+// All points of space have the same directions, weights and sum of all.
+void Gatherer::begin_in_space() {
   constexpr float kSphere = 4.0F * std::numbers::pi_v<float>;
   std::fill(weights_.begin(), weights_.end(), kSphere / static_cast<float>(directions_.size()));
-  std::fill(heights_.begin(), heights_.end(), 1.0F);
+  std::iota(chosen_.begin(), chosen_.end(), 0U);
+  for (std::uint32_t j = 0; j < directions_.size(); ++j)
+    rays_[j].aim(Eigen::Vector3f::Zero(), directions_.direction(j));
+  directions_.sum(chosen_, chosen_.size(), weights_.data(), sphere_.data());
+  below_ = 0;
+  in_space_ = true;
+}
+
+std::size_t Gatherer::aim_in_space(const Eigen::Vector3f& origin) {
+  if (!in_space_) begin_in_space();
+  const std::array<float, 4> front = {origin.x(), origin.y(), origin.z(), 0.0F};  // one store
+  static_assert(offsetof(ShadowRay, origin) == 0 && offsetof(ShadowRay, near) == 3 * sizeof(float));
+  for (ShadowRay& ray : rays_) {
+    std::memcpy(static_cast<void*>(&ray), front.data(), sizeof front);
+    ray.far = std::numeric_limits<float>::infinity();
+  }
+  return rays_.size();
 }
 
 void Gatherer::weigh_hemisphere(std::size_t vertex) {
@@ -158,7 +178,9 @@ void Gatherer::weigh_hemisphere(std::size_t vertex) {
 }
 
 std::size_t Gatherer::aim(std::size_t receiver) {
-  starts_[receiver].in_space ? weigh_sphere() : weigh_hemisphere(receiver);
+  if (starts_[receiver].in_space) return aim_in_space(starts_[receiver].origin);
+  in_space_ = false;
+  weigh_hemisphere(receiver);
   std::size_t traced = 0;
   below_ = 0;
   for (std::uint32_t j = 0; j < directions_.size(); ++j) {
@@ -174,12 +196,30 @@ std::size_t Gatherer::aim(std::size_t receiver) {
   return traced;
 }
 
+// Most rays see the sky: the sum of what is blocked is the shorter one. All weights are the same, so that it does not
+// matter which directions stand in visible_.
+const Gathered& Gatherer::gathered_in_space() {
+  std::size_t blocked = 0;
+  for (std::uint32_t i = 0; i < rays_.size(); ++i) {
+    blocked_[blocked] = i;
+    blocked += rays_[i].blocked() ? 1U : 0U;
+  }
+  visible_count_ = rays_.size() - blocked;
+  blocked_count_ = blocked;
+  directions_.sum(blocked_, blocked, weights_.data(), result_.visible.data());
+  result_.all = sphere_;
+  auto seen = as_array(result_.visible.data(), directions_.row_length());
+  seen = as_array(sphere_.data(), directions_.row_length()) - seen;
+  return result_;
+}
+
 const Gathered& Gatherer::gather(std::size_t vertex) {
   closest_is_known_ = false;
   const std::size_t traced = aim(vertex);
   for (std::size_t first = 0; first < traced; first += kStreamRays) {
     tracer_.occluded({rays_.data() + first, std::min(kStreamRays, traced - first)});
   }
+  if (in_space_) return gathered_in_space();
   std::size_t visible = 0;
   std::size_t blocked = below_;
   for (std::size_t i = 0; i < traced; ++i) {

@@ -113,8 +113,10 @@ class Gatherer {
 
  private:
   // The weights and heights of all directions.
-  void weigh_sphere();
   void weigh_hemisphere(std::size_t vertex);
+  void begin_in_space();
+  std::size_t aim_in_space(const Eigen::Vector3f& origin);
+  const Gathered& gathered_in_space();
   // Selects directions: fills `chosen_`, which are to be traced, and `blocked_`, which lie under the horizon. Returns
   // how many to trace.
   std::size_t aim(std::size_t receiver);
@@ -141,6 +143,8 @@ class Gatherer {
   Eigen::Matrix3f frame_;          // of the vertex, where directions are about the normal
   std::vector<float> weights_;     // of every direction, as in Gathered; none is negative where it counts
   std::vector<float> heights_;     // cosine with the geometric normal
+  bool in_space_ = false;          // the last receiver was a point of space; then the next member is known
+  alignas(64) std::array<float, kMaxRow> sphere_;  // sums over all directions
   Gathered result_;
 };
 
