@@ -29,8 +29,7 @@ class Rows {
   /// Calls work(first row, count, numbers) for the rows of a range in their order, some of them at a time.
   template <class Work>
   void each(std::size_t first, std::size_t count, const Work& work) const {
-    constexpr std::size_t kNumbersAtOnce = 8192;  // 32 KB
-    const std::size_t most = stored_ == nullptr ? count : std::max<std::size_t>(1, kNumbersAtOnce / length_);
+    const std::size_t most = stored_ == nullptr ? count : at_once();
     std::vector<float> room;
     for (std::size_t done = 0; done < count; done += most) {
       const std::size_t now = std::min(most, count - done);
@@ -39,6 +38,13 @@ class Rows {
   }
 
  private:
+  // Rows that are widened at a time, 8 KB of them; kernels like whole blocks of 16.
+  [[nodiscard]] std::size_t at_once() const {
+    constexpr std::size_t kNumbers = 2048;
+    constexpr std::size_t kBlock = 16;
+    const std::size_t rows = std::max<std::size_t>(1, kNumbers / length_);
+    return rows < kBlock ? rows : rows / kBlock * kBlock;
+  }
   void widen(const std::byte* from, std::size_t rows, float* to) const;
 
   const float* complete_ = nullptr;
