@@ -18,6 +18,7 @@ namespace sh::prt {
 namespace {
 
 constexpr double kMiB = 1048576.0;
+constexpr double kThickest = 200.0;  // exp(-200) of the light is left
 
 bool is_gray(const Medium& medium) { return (medium.albedo.array() == medium.albedo[0]).all(); }
 
@@ -41,6 +42,17 @@ void check(const Scene& scene) {
   if (scene.bake.directions < kFewest || scene.bake.directions > kMostMediumDirections) {
     throw std::invalid_argument(fmt::format("{}: directions of a medium: expected {} to {}, got {}", scene.name,
                                             kFewest, kMostMediumDirections, scene.bake.directions));
+  }
+  const std::vector<float>& values = scene.medium->extinction.values;
+  const double thickest = values.empty() ? 0.0
+                                         : static_cast<double>(*std::max_element(values.begin(), values.end())) *
+                                               scene.medium->extinction.spacing.maxCoeff();
+  if (thickest > kThickest) {
+    throw std::runtime_error(
+        fmt::format("{}: its densest voxels are {:.3g} mean free paths thick, too thick to tell what gets through; "
+                    "expected at most "
+                    "{:g}: a lower extinction or more voxels",
+                    scene.name, thickest, kThickest));
   }
   const auto needed = static_cast<double>(table_bytes(scene));
   const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
