@@ -12,8 +12,8 @@
 
 #include "numeric/output/atomic_file.hpp"
 #include "numeric/output/progress.hpp"
-#include "prt/chunks.hpp"
 #include "prt/binary/input_file.hpp"
+#include "prt/chunks.hpp"
 #include "prt/splats/splat_axes.hpp"
 
 namespace sh::prt {

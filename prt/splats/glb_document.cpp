@@ -12,9 +12,9 @@
 #include "numeric/output/parse_json.hpp"
 #include "numeric/output/printable.hpp"
 #include "prt/binary/glb_container.hpp"
+#include "prt/binary/input_file.hpp"
 #include "prt/scene/json_reader.hpp"
 #include "prt/splats/glb_splats.hpp"
-#include "prt/binary/input_file.hpp"
 
 namespace sh::prt {
 namespace {

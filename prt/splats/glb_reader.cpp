@@ -5,9 +5,9 @@
 #include <array>
 #include <cstring>
 
+#include "prt/binary/input_file.hpp"
 #include "prt/splats/glb_document.hpp"
 #include "prt/splats/glb_splats.hpp"
-#include "prt/binary/input_file.hpp"
 #include "prt/splats/splat_convention.hpp"
 #include "prt/splats/splat_numbers.hpp"
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <stdexcept>
 
-#include "prt/splats/glb_splats.hpp"
 #include "prt/binary/input_file.hpp"
+#include "prt/splats/glb_splats.hpp"
 #include "prt/splats/ply_splats.hpp"
 #include "prt/splats/spz_splats.hpp"
 

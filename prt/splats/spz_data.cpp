@@ -10,9 +10,9 @@
 #include <string_view>
 
 #include "prt/binary/gzip.hpp"
-#include "prt/chunks.hpp"
 #include "prt/binary/gzip_reader.hpp"
 #include "prt/binary/input_file.hpp"
+#include "prt/chunks.hpp"
 #include "prt/splats/splats.hpp"
 
 namespace sh::prt {

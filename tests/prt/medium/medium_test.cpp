@@ -106,7 +106,7 @@ TEST(Medium, KeepsItsTransferInAFile) {
       write_transfer(path, transfer);
       const Transfer read = read_transfer(path, medium_kinds());
       EXPECT_EQ(read.kind, &kMedium);
-      EXPECT_EQ(read.coefficients, transfer.coefficients);
+      EXPECT_EQ(read.rows().all(), transfer.coefficients);
       EXPECT_EQ(read.density, transfer.density);
       EXPECT_EQ(read.medium.albedo, transfer.medium.albedo);
       EXPECT_EQ(read.medium.anisotropy, anisotropy);
