@@ -1,7 +1,6 @@
 #include "prt/bake/bake.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +23,6 @@
 namespace sh::prt {
 
 namespace {
-
-double memory_of_machine() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
 
 void check(const BakeJob& job) {
   const BakeOptions& options = job.scene.bake;

@@ -1,7 +1,6 @@
 #include "prt/bake/bake_volume.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <stdexcept>
 
 #include "numeric/output/progress.hpp"
+#include "prt/bake/estimate.hpp"
 #include "prt/bake/fill_closed.hpp"
 #include "prt/bake/shadow_pass.hpp"
 #include "prt/basis.hpp"
@@ -23,10 +23,6 @@ namespace {
 
 constexpr double kMiB = 1048576.0;
 constexpr float kInside = 0.5F;
-
-double memory_of_machine() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
 
 Transfer without_numbers(const Scene& scene, const VolumeOptions& options, const PointGrid& grid) {
   Transfer volume = Transfer::of(kNeighborhood, options.degree);

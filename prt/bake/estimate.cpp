@@ -175,4 +175,8 @@ std::size_t peak_memory() {
   return std::size_t{1024} * usage.ru_maxrss;
 }
 
+double memory_of_machine() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
 }  // namespace sh::prt

@@ -36,5 +36,7 @@ Shortfall shortfall(const BakeOptions& wanted, const Transfer& transfer);
 
 /// The peak memory of this process so far, in bytes.
 std::size_t peak_memory();
+/// The memory of this machine, in bytes.
+double memory_of_machine();
 
 }  // namespace sh::prt

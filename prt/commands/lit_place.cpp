@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "prt/bake/bake.hpp"
+#include "prt/commands/medium_commands.hpp"
 #include "prt/mesh/import_mesh.hpp"
 #include "prt/scene/json_reader.hpp"
 
@@ -27,8 +28,9 @@ Subject subject_of(SubjectOptions options) {
   if (options.light.scene.empty() && options.light.light.empty()) options.light.scene = options.file;
   BakeSettings settings;
   settings.on_flaw = on_flaw(options.light.strict);
-  Transfer transfer = bake(planned(BakeJob(load_scene(options.file, settings.on_flaw), settings)));
-  return {options, std::move(transfer)};
+  Scene scene = load_scene(options.file, settings.on_flaw);
+  require_meshes(scene, "light that is sampled");
+  return {options, bake(planned(BakeJob(std::move(scene), settings)))};
 }
 
 const LitPlaceOptions& checked(const LitPlaceOptions& options) {

@@ -5,6 +5,7 @@
 #include "prt/bake/bake_volume.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
+#include "prt/commands/medium_commands.hpp"
 
 namespace sh::prt {
 namespace {
@@ -60,6 +61,7 @@ void run_volume(const VolumeCommand& command) {
                               .on_flaw = on_flaw(command.strict),
                               .checkpoint = command.checkpoint.settings(command.output)};
   const Scene scene = load_scene(command.scene, settings.on_flaw);
+  require_meshes(scene, "the space around an object");
   output::require_no_input(command.output, scene.files);
   output::require_no_input(settings.checkpoint.path, scene.files);
   VolumeReport report;

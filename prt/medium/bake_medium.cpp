@@ -1,7 +1,6 @@
 #include "prt/medium/bake_medium.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "numeric/output/stopwatch.hpp"
 #include "prt/bake/bounces.hpp"
+#include "prt/bake/estimate.hpp"
 #include "prt/bake/steps.hpp"
 #include "prt/medium/anisotropic.hpp"
 #include "prt/medium/scattering.hpp"
@@ -55,7 +55,7 @@ void check(const Scene& scene) {
                     scene.name, thickest, kThickest));
   }
   const auto needed = static_cast<double>(table_bytes(scene));
-  const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double there = memory_of_machine();
   if (needed <= there) return;
   const auto voxels = static_cast<double>(scene.medium->extinction.size());
   throw std::runtime_error(fmt::format(

@@ -1,5 +1,7 @@
 #include "prt/runtime/probe_grid.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -33,6 +35,9 @@ void fill(ProbeGrid& probes) {
 
 ProbeGrid sample_probes(const LightSampler& sampler, const PointGrid& grid, int degree) {
   if (const std::string flaw = flaw_of(grid); !flaw.empty()) throw std::invalid_argument(flaw);
+  if (grid.points() > kMostProbes) {
+    throw std::invalid_argument(fmt::format("{} probes: expected at most {}", grid.points(), kMostProbes));
+  }
   ProbeGrid probes{grid, std::vector<LightCoefficients>(grid.points()), std::vector<std::uint8_t>(grid.points())};
   output::Progress progress("probes", grid.points());
   bool any = false;

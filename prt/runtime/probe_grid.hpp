@@ -10,14 +10,17 @@
 
 namespace sh::prt {
 
+/// The most probes of a grid: each takes pictures.
+inline constexpr std::size_t kMostProbes = std::size_t{1} << 20U;
+
 struct ProbeGrid {
   PointGrid grid;                        // in the world; `filled` counts the invalid probes with light of others
   std::vector<LightCoefficients> light;  // (points), radiance
   std::vector<std::uint8_t> valid;       // (points), 1 or 0
 };
 
-/// Shows progress. The same bits for any number of threads. Throws std::invalid_argument for a grid with a flaw or if
-/// no probe is valid; like LightSampler::at; output::Interrupted.
+/// Shows progress. The same bits for any number of threads. Throws std::invalid_argument for a grid with a flaw or
+/// too many probes, or if no probe is valid; like LightSampler::at; output::Interrupted.
 ProbeGrid sample_probes(const LightSampler& sampler, const PointGrid& grid, int degree);
 
 /// How far probes are from the light between them: the length of the difference of the coefficients, divided by the root

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -87,6 +88,20 @@ TEST(ProbeGrid, InsideASolidTakesTheLightAroundIt) {
     for (const std::uint32_t y : {1, 2, 3}) mean += probes.light[probes.grid.index({x, y, 4})].at(2, 0) / 9.0;
   }
   EXPECT_NEAR(probes.light[probes.grid.index({2, 2, 3})].at(2, 0), mean, 1e-12);
+  // A corner of the box has 19 valid ones around it.
+  double sum = 0.0;
+  for (const std::uint32_t x : {2, 3, 4}) {
+    for (const std::uint32_t y : {2, 3, 4}) {
+      for (const std::uint32_t z : {2, 3, 4}) {
+        if (std::max({x, y, z}) == 4) sum += probes.light[probes.grid.index({x, y, z})].at(2, 0);
+      }
+    }
+  }
+  EXPECT_NEAR(probes.light[probes.grid.index({3, 3, 3})].at(2, 0), sum / 19.0, 1e-12);
+  // At a probe the interpolated light is its own.
+  for (const std::size_t p : {std::size_t{3}, std::size_t{31}, std::size_t{124}}) {
+    EXPECT_NEAR(interpolated(probes, probes.grid.point(p)).at(0, 2), probes.light[p].at(0, 2), 1e-6) << p;
+  }
 }
 
 TEST(ProbeGrid, LeaksThroughAThinWallAndSaysSo) {
@@ -124,6 +139,7 @@ TEST(ProbeGrid, RefusesGridsWithoutFreeSpaceOrWithAFlaw) {
   EXPECT_THROW(sample_probes(lit.sampler(), grid_in(2.0, 1), 2), std::invalid_argument);
   EXPECT_THROW(sample_probes(lit.sampler(), grid_in(std::numeric_limits<double>::quiet_NaN(), 2), 2),
                std::invalid_argument);
+  EXPECT_THROW(sample_probes(lit.sampler(), grid_in(2.0, 102), 2), std::invalid_argument);  // 1,061,208
   EXPECT_EQ(sample_probes(lit.sampler(), grid_in(2.0, 2), 0).valid, std::vector<std::uint8_t>(8, 1));
 }
 

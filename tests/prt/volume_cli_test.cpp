@@ -79,6 +79,11 @@ TEST_F(VolumeTool, TheStageOfTheGliderShowsItsShadowWhereverItMoves) {
   EXPECT_EQ(read_all(folder->file("g.webp")).substr(0, 4), "RIFF");
 }
 
+TEST_F(VolumeTool, APageRefusesAStageWithVolumes) {
+  expect_refused({"view", scenes + "glider/stage.json", "--transfers", folder->file(""), "-o", folder->file("x.html")},
+                 "a page shadows objects by spheres");
+}
+
 TEST_F(VolumeTool, GoesOnAfterAnInterruptionWithTheSameBytes) {
   const Arguments command = {
       "volume", wing, "--counts", "24,24,12", "--directions", "2048", "--threads", "1", "--checkpoint-seconds", "0"};

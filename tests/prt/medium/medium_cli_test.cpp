@@ -140,6 +140,8 @@ TEST_F(MediumTool, RefusesWhatIsForMeshes) {
   }
   expect_refused({"plan", scene}, "a plan takes meshes, this scene has a medium");
   expect_refused({"grid", scene, "-o", picture}, "a grid of lights takes meshes");
+  expect_refused({"volume", scene, "-o", folder.file("n.transfer")}, "the space around an object takes meshes");
+  expect_refused({"light-at", scene, "--at", "0,0,9"}, "light that is sampled takes meshes");
   expect_refused({"study", scene, "--out", folder.file("study")}, "a study takes meshes");
   succeeded({"bake", scene, "-o", baked});
   const std::string reason = "transfer of kind DV, expected one of DU, DS, DI, GU, GS, GI";
