@@ -78,7 +78,7 @@ BetweenVertices measure_between_vertices(const Scene& scene, const std::string& 
     rows.meet(v);
     if (setup.mirrors.any()) rows.add_sky(scene.bake.degree, direct.data());
     const FormFactorRow row = rows.row();
-    const Face& face = mesh.faces[faces[i]];
+    const ReceiversAt around = setup.receivers.at(center(faces[i]));
     for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) {
       const auto of = [&](std::size_t q) { return as_array(x.row(q) + layout.channel(c), layout.count); };
       Eigen::ArrayXd light = Eigen::ArrayXd::Zero(Eigen::Index(layout.count));
@@ -86,7 +86,10 @@ BetweenVertices measure_between_vertices(const Scene& scene, const std::string& 
       light.head(Eigen::Index(direct.size())) += as_array(direct).cast<double>();
       light *= static_cast<double>(mesh.albedo[v][c]);
       if (layout.emitted > 0) light.tail<1>() += static_cast<double>(mesh.emission[v][c]);
-      differences[i] += (light - (of(face[0]) + of(face[1]) + of(face[2])) / 3.0).square().sum();
+      Eigen::ArrayXd between = Eigen::ArrayXd::Zero(Eigen::Index(layout.count));
+      for (std::size_t k = 0; k < around.count; ++k)
+        between += static_cast<double>(around.part[k]) * of(around.receiver[k]);
+      differences[i] += (light - between).square().sum();
       lights[i] += light.square().sum();
     }
   });

@@ -62,9 +62,11 @@ std::uint64_t checksum_of(const std::vector<T>& values) {
 // A new member of Mesh does not compile here until somebody decides whether rays depend on it.
 std::string mesh_checksum(const Mesh& mesh) {
   [[maybe_unused]] const auto& [positions, normals, geometric_normals, albedo, emission, mirror, specular, exponent,
-                                brdf, texture, normal_map, faces, remap, brdfs, normal_maps, frame] = mesh;
-  const std::array<std::uint64_t, 5> parts = {checksum_of(positions), checksum_of(normals),
-                                              checksum_of(geometric_normals), checksum_of(mirror), checksum_of(faces)};
+                                brdf, texture, normal_map, albedo_map, tint, chart, atlas, faces, remap, brdfs,
+                                normal_maps, albedo_maps, atlases, frame] = mesh;
+  const std::array<std::uint64_t, 6> parts = {
+      checksum_of(positions), checksum_of(normals), checksum_of(geometric_normals),
+      checksum_of(mirror),    checksum_of(faces),   checksum_of(atlases.reach)};
   return fmt::format("{:016x}", checksum(parts.data(), sizeof parts));
 }
 

@@ -28,6 +28,10 @@ std::vector<ClosedVertex> closed_vertices(const Mesh& mesh, const std::vector<Si
       if (sight[face[k]].closed() > 0.0F) neighbors[face[k]].insert({face[(k + 1) % 3], face[(k + 2) % 3]});
     }
   }
+  for (const auto& [a, b] : neighboring_texels(mesh)) {
+    if (sight[a].closed() > 0.0F) neighbors[a].insert(b);
+    if (sight[b].closed() > 0.0F) neighbors[b].insert(a);
+  }
   std::vector<ClosedVertex> closed;
   for (const auto& [vertex, around] : neighbors) {
     closed.push_back({vertex, sight[vertex].closed(), {around.begin(), around.end()}});

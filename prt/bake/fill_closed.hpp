@@ -15,7 +15,7 @@
 
 namespace sh::prt {
 
-/// A closed vertex and the vertices that share an edge with it.
+/// A closed vertex and the vertices that share an edge with it; of a texel, the texels beside it.
 struct ClosedVertex {
   std::uint32_t vertex;
   float closed;  // 0..1

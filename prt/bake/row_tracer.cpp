@@ -11,13 +11,15 @@
 namespace sh::prt {
 namespace {
 
-// The shares of the corners in a hit: not negative, with sum 1.
-std::array<double, 3> barycentric(const Hit& hit) {
-  const double u = std::max(0.0, static_cast<double>(hit.u));
-  const double v = std::max(0.0, static_cast<double>(hit.v));
-  const double rest = std::max(0.0, 1.0 - u - v);
-  const double sum = rest + u + v;
-  return {rest / sum, u / sum, v / sum};
+// The shares of receivers in a hit: not negative, with sum 1.
+std::array<double, 4> shares_of(const Hit& hit, const ReceiversAt& place) {
+  std::array<double, 4> shares = {0.0, std::max(0.0, static_cast<double>(hit.u)),
+                                  std::max(0.0, static_cast<double>(hit.v)), 0.0};
+  shares[0] = std::max(0.0, 1.0 - shares[1] - shares[2]);
+  if (place.count > 3) std::copy(place.part.begin(), place.part.end(), shares.begin());
+  const double sum = shares[0] + shares[1] + shares[2] + shares[3];
+  for (double& share : shares) share /= sum;
+  return shares;
 }
 
 }  // namespace
@@ -54,14 +56,14 @@ FormFactorRow RowTracer::row() {
   FormFactorRow row;
   for (const BlockedRay& ray : met_) {
     if (ray.hit.face == Hit::kNothing) continue;  // it just misses the face that the shadow ray hit; the light is lost
-    const Face& face = mesh.faces[ray.hit.face];
-    if (face_normal(mesh.positions, face).dot(ray.direction) >= 0.0F) continue;
-    const std::array<double, 3> corners = barycentric(ray.hit);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!(corners[k] > 0.0)) continue;
-      double& sum = sums_[face[k]];
-      if (sum == 0.0) row.push_back({face[k], 0.0});
-      sum += ray.part * corners[k];
+    if (face_normal(mesh.positions, mesh.faces[ray.hit.face]).dot(ray.direction) >= 0.0F) continue;
+    const ReceiversAt place = setup_.receivers.at(ray.hit);
+    const std::array<double, 4> shares = shares_of(ray.hit, place);
+    for (std::size_t k = 0; k < place.count; ++k) {
+      if (!(shares[k] > 0.0)) continue;
+      double& sum = sums_[place.receiver[k]];
+      if (sum == 0.0) row.push_back({place.receiver[k], 0.0});
+      sum += ray.part * shares[k];
     }
   }
   for (FormFactor& factor : row) {

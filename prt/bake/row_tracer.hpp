@@ -9,6 +9,7 @@
 #include "prt/bake/form_factors.hpp"
 #include "prt/rays/gather.hpp"
 #include "prt/rays/mirror_paths.hpp"
+#include "prt/rays/receivers_at.hpp"
 
 namespace sh::prt {
 
@@ -37,6 +38,7 @@ struct RaySetup {
   std::shared_ptr<Tracer> shared;
   Tracer& tracer = *shared;
   MirrorPaths mirrors{mesh, tracer};
+  SurfaceReceivers receivers{mesh};
   SharedDirections directions;
   std::vector<RayStart> starts;
 };
@@ -57,7 +59,7 @@ class RowTracer {
   float add_sky(int degree, float* transfer) const;
   /// The part of the cosine that meet() left out where it cut paths.
   [[nodiscard]] double cut() const { return cut_; }
-  /// Merges the hits of meet() into a row of the form factors. Surfaces are one-sided: a face that a ray hits from
+  /// Merges the hits of meet() into a row of the form factors: the receivers between which light is interpolated there. Surfaces are one-sided: a face that a ray hits from
   /// behind is black.
   FormFactorRow row();
 

@@ -16,6 +16,10 @@ std::vector<std::vector<std::uint32_t>> neighbors_of_all(const Mesh& mesh) {
       neighbors[face[k]].push_back(face[(k + 2) % 3]);
     }
   }
+  for (const auto& [a, b] : neighboring_texels(mesh)) {
+    neighbors[a].push_back(b);
+    neighbors[b].push_back(a);
+  }
   for (std::vector<std::uint32_t>& around : neighbors) {
     std::sort(around.begin(), around.end());
     around.erase(std::unique(around.begin(), around.end()), around.end());

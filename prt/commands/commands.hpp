@@ -38,6 +38,7 @@ void add_plan_command(CLI::App& tool);
 void add_reconstruct_command(CLI::App& tool);
 void add_light_at_command(CLI::App& tool);
 void add_probes_command(CLI::App& tool);
+void add_lightmap_command(CLI::App& tool);
 void add_study_command(CLI::App& tool);
 void add_compare_command(CLI::App& tool);
 void add_grid_command(CLI::App& tool);

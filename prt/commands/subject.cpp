@@ -128,8 +128,8 @@ Subject::Subject(const SubjectOptions& options, bool is_stage, Stage stage)
       stage_(std::move(stage)),
       chosen_(without_windows_if_sharp(choose_light(options.light, stage_.lights), options)),
       lighting_(
-          stage_, [&](int degree) { return project_windowed(chosen_.lights, degree, options.light.window); },
-          shading_) {
+          stage_, [&](int degree) { return project_windowed(chosen_.lights, degree, options.light.window); }, shading_,
+          chosen_.lights) {
   if (!chosen_.camera) chosen_.camera = stage_.camera;
   for (const StageObject& object : stage_.objects) {
     is_glossy_ = is_glossy_ || object.transfer->kind->is_glossy();
@@ -150,7 +150,7 @@ Subject::Subject(const SubjectOptions& options, bool is_stage, Stage stage)
 }
 
 void Subject::make_sharp() {
-  const Transfer& transfer = only_transfer();
+  const Transfer& transfer = this->transfer();
   Mesh shown = transfer.mesh;
   shown.albedo = shading_.albedo(shown);  // the color of metals
   sharp_.emplace([this](const Eigen::Vector3d& direction) { return sh::prt::radiance(chosen_.lights, direction); },
@@ -171,13 +171,13 @@ std::vector<Pose> Subject::poses_at(double time) {
 }
 
 TransferredRadiance Subject::reaching(const Eigen::Matrix3d& light_turn) const {
-  return {only_transfer(), turned(lighting_.light(only_transfer().degree()), light_turn)};
+  return {transfer(), turned(lighting_.light(transfer().degree()), light_turn)};
 }
 
 std::vector<Eigen::Vector3f> Subject::radiance(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
                                                const Eigen::Vector3d& eye) const {
   std::vector<Eigen::Vector3f> radiance =
-      is_glossy_ ? exit_radiance(only_transfer(), reaching(light_turn), eye, shading_.albedo(only_transfer().mesh))
+      is_glossy_ ? exit_radiance(transfer(), reaching(light_turn), eye, shading_.albedo(transfer().mesh))
       : local_   ? local_radiance(light_turn)
                  : lighting_.radiance(poses, light_turn);
   require_finite(radiance, file_);
@@ -185,8 +185,11 @@ std::vector<Eigen::Vector3f> Subject::radiance(const std::vector<Pose>& poses, c
 }
 
 Surface Subject::surface(const std::vector<Pose>& poses, const Mesh& mesh, const Eigen::Matrix3d& light_turn) const {
-  if (!is_glossy_) return diffuse_surface(mesh, radiance(poses, light_turn, Eigen::Vector3d::Zero()));
-  const Transfer& transfer = only_transfer();
+  if (!is_glossy_) {
+    return diffuse_surface(mesh, radiance(poses, light_turn, Eigen::Vector3d::Zero()), emitted(mesh.positions.size()),
+                           colors(mesh));
+  }
+  const Transfer& transfer = this->transfer();
   MoreOfLobe more;
   if (sharp_) {
     more = [this, &transfer, back = light_turn.transpose().cast<float>().eval()](
@@ -194,11 +197,29 @@ Surface Subject::surface(const std::vector<Pose>& poses, const Mesh& mesh, const
       return visibility_towards(transfer, hit, direction) * sharp_->at(vertex, back * direction);
     };
   }
-  return glossy_surface(transfer, reaching(light_turn), shading_.albedo(transfer.mesh), std::move(more));
+  return glossy_surface(transfer, reaching(light_turn), colors(transfer.mesh), std::move(more));
+}
+
+// The pictures of merged meshes have one order.
+SurfaceColors Subject::colors(const Mesh& mesh) const {
+  if (!shading_.recolor.empty()) return {mesh, shading_.albedo(mesh)};
+  if (pictures_ == nullptr) pictures_ = decoded(mesh.albedo_maps, file_);
+  return {mesh, pictures_};
+}
+
+std::vector<Eigen::Vector3f> Subject::emitted(std::size_t vertices) const {
+  std::vector<Eigen::Vector3f> all;
+  for (const StageObject& object : stage_.objects) {
+    const std::vector<Eigen::Vector3f>& own = object.transfer->emitted;
+    all.insert(all.end(), own.begin(), own.end());
+    if (own.empty()) all.resize(all.size() + object.transfer->mesh.positions.size(), Eigen::Vector3f::Zero());
+  }
+  all.resize(vertices, Eigen::Vector3f::Zero());
+  return all;
 }
 
 std::vector<Eigen::Vector3f> Subject::local_radiance(const Eigen::Matrix3d& light_turn) const {
-  const Transfer& transfer = only_transfer();
+  const Transfer& transfer = this->transfer();
   std::vector<LightCoefficients> at_points =
       project_at(turned(chosen_.lights, light_turn), local_->points, shading_.degree_for(transfer.degree()));
   for (LightCoefficients& light : at_points) light = shading_.chosen(light);

@@ -44,6 +44,8 @@ class Subject {
   Subject& operator=(const Subject&) = delete;
 
   [[nodiscard]] bool is_stage() const { return is_stage_; }
+  /// That of the file, or of the first object of a stage.
+  [[nodiscard]] const Transfer& transfer() const { return *stage_.objects.front().transfer; }
   [[nodiscard]] const std::vector<Light>& lights() const { return chosen_.lights; }
   [[nodiscard]] const std::optional<Camera>& camera() const { return chosen_.camera; }
   /// Throws std::runtime_error if `output` is one of the files that this subject is read from.
@@ -57,15 +59,19 @@ class Subject {
   /// turns about its `from`. Throws std::runtime_error if it exceeds single precision.
   [[nodiscard]] std::vector<Eigen::Vector3f> radiance(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
                                                       const Eigen::Vector3d& eye) const;
+  /// The radiance that reaches the vertices of a glossy transfer file.
+  [[nodiscard]] TransferredRadiance reaching(const Eigen::Matrix3d& light_turn) const;
   /// What a picture of mesh(poses) shows. This object and `mesh`, which is mesh(poses), must outlive it.
   [[nodiscard]] Surface surface(const std::vector<Pose>& poses, const Mesh& mesh,
                                 const Eigen::Matrix3d& light_turn) const;
 
  private:
   Subject(const SubjectOptions& options, bool is_stage, Stage stage);
-  [[nodiscard]] const Transfer& only_transfer() const { return *stage_.objects.front().transfer; }
   [[nodiscard]] std::vector<Eigen::Vector3f> local_radiance(const Eigen::Matrix3d& light_turn) const;
-  [[nodiscard]] TransferredRadiance reaching(const Eigen::Matrix3d& light_turn) const;
+  /// The albedo that pictures of the mesh show.
+  [[nodiscard]] SurfaceColors colors(const Mesh& mesh) const;
+  /// The light that the vertices of the merged mesh emit.
+  [[nodiscard]] std::vector<Eigen::Vector3f> emitted(std::size_t vertices) const;
   void make_sharp();
   void tell_once(const std::string& line);
 
@@ -80,6 +86,7 @@ class Subject {
   std::optional<LightSamples> local_;  // of `--local`
   std::optional<SharpLayer> sharp_;    // of `--sharp`
   std::set<std::string> told_;
+  mutable DecodedPictures pictures_;  // null: not needed yet
 };
 
 /// Throws std::invalid_argument unless 1 <= frames <= 1000, so that frame numbers have three digits.

@@ -29,7 +29,7 @@ constexpr Command kCommands[] = {
     {"info", sh::prt::add_info_command},         {"project", sh::prt::add_project_command},
     {"plan", sh::prt::add_plan_command},         {"reconstruct", sh::prt::add_reconstruct_command},
     {"light-at", sh::prt::add_light_at_command}, {"probes", sh::prt::add_probes_command},
-    {"study", sh::prt::add_study_command},
+    {"lightmap", sh::prt::add_lightmap_command}, {"study", sh::prt::add_study_command},
 #if defined(SHFORGE_EMIT)
     {"emit", sh::prt::add_emit_command},
 #endif

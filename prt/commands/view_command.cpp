@@ -90,6 +90,11 @@ void add_stage(const std::string& file, const ViewCommand& options, Chosen& chos
   report_overlaps(stage, on_flaw(options.light.strict));
   ViewedSubject subject{name_of(file), stage.name, {}, stage.objects};
   for (const StageObject& object : stage.objects) {
+    if (object.from_scene) {
+      throw std::runtime_error(fmt::format(
+          "{}: {}: a page does not sample light from the scene; expected objects without `light_from` scene", file,
+          object.name));
+    }
     if (object.volume) {
       throw std::runtime_error(fmt::format(
           "{}: {}: a page shadows objects by spheres; expected objects without `volume`", file, object.name));

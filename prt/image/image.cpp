@@ -19,14 +19,6 @@
 namespace sh::prt {
 namespace {
 
-std::string read_bytes(const std::string& file) {
-  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file)) {
-    throw std::runtime_error(
-        fmt::format("{}: is no file; expected an OpenEXR, Radiance .hdr, PNG or JPEG picture", file));
-  }
-  return output::read_file(file, std::numeric_limits<std::size_t>::max());
-}
-
 constexpr std::string_view kExrMagic("\x76\x2f\x31\x01", 4);
 constexpr std::string_view kPngMagic("\x89PNG\r\n\x1a\n", 8);
 constexpr std::string_view kJpegMagic("\xff\xd8\xff", 3);
@@ -98,10 +90,25 @@ void mend_pixels(const std::string& file, Image& image, OnFlaw on_flaw) {
   }
 }
 
-Image read_image(const std::string& file, OnFlaw on_flaw, ColorSpace space) {
-  const std::string bytes = read_bytes(file);
+std::string read_picture_file(const std::string& file) {
+  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file)) {
+    throw std::runtime_error(
+        fmt::format("{}: is no file; expected an OpenEXR, Radiance .hdr, PNG or JPEG picture", file));
+  }
+  return output::read_file(file, std::numeric_limits<std::size_t>::max());
+}
+
+Image read_png_or_jpeg(const std::string& file, std::string_view bytes, ColorSpace space, OnFlaw on_flaw) {
   if (bytes.starts_with(kPngMagic)) return read_png(file, bytes, space, on_flaw);
   if (bytes.starts_with(kJpegMagic)) return read_jpeg(file, bytes, space);
+  refuse(file, "it is neither PNG nor JPEG");
+}
+
+Image read_image(const std::string& file, OnFlaw on_flaw, ColorSpace space) {
+  const std::string bytes = read_picture_file(file);
+  if (bytes.starts_with(kPngMagic) || bytes.starts_with(kJpegMagic)) {
+    return read_png_or_jpeg(file, bytes, space, on_flaw);
+  }
   const bool is_exr = bytes.starts_with(kExrMagic);
   if (!is_exr && !bytes.starts_with("#?")) {
     throw std::runtime_error(fmt::format("{}: {} an OpenEXR, Radiance .hdr, PNG or JPEG picture", file,

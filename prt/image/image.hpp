@@ -52,4 +52,10 @@ Image read_radiance(const std::string& file, std::string_view bytes);
 Image read_png(const std::string& file, std::string_view bytes, ColorSpace space, OnFlaw on_flaw);
 Image read_jpeg(const std::string& file, std::string_view bytes, ColorSpace space);
 
+/// Of the bytes of a PNG or JPEG file, whichever they are; of another one std::runtime_error.
+Image read_png_or_jpeg(const std::string& file, std::string_view bytes, ColorSpace space, OnFlaw on_flaw);
+
+/// The bytes of a picture's file. Throws std::runtime_error, one line with its name, if it cannot be read.
+std::string read_picture_file(const std::string& file);
+
 }  // namespace sh::prt

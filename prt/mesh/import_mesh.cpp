@@ -29,8 +29,10 @@ namespace sh::prt {
 namespace {
 
 constexpr int kMostHeaderLines = 1000;
-// The pictures of base color, and those of roughness and metallic part, as the importer names them.
-constexpr std::array kColors = {aiTextureType_BASE_COLOR};
+// The pictures of base color (of formats before glTF: diffuse color), and those of roughness and metallic part, as the
+// importer names them.
+constexpr std::array kColors = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
+constexpr std::array kEmission = {aiTextureType_EMISSIVE, aiTextureType_EMISSION_COLOR};
 constexpr std::array kFacets = {aiTextureType_UNKNOWN, aiTextureType_METALNESS, aiTextureType_DIFFUSE_ROUGHNESS};
 const Eigen::Vector2f kNoCoordinates = Eigen::Vector2f::Constant(std::numeric_limits<float>::quiet_NaN());
 
@@ -114,6 +116,8 @@ class Collector {
       part.positions.emplace_back(to_eigen(mesh.mVertices[v]).cast<double>());
       part.normals.push_back(mesh.HasNormals() ? to_eigen(mesh.mNormals[v]) : Eigen::Vector3f::Zero().eval());
       part.texture.push_back(has_coordinates ? to_eigen(mesh.mTextureCoords[0][v]).head<2>() : kNoCoordinates);
+      part.chart.push_back(mesh.HasTextureCoords(1) ? to_eigen(mesh.mTextureCoords[1][v]).head<2>()
+                                                    : part.texture.back());
       Eigen::Vector3f color = albedo;
       if (mesh.HasVertexColors(0)) color = color.cwiseProduct(linear(mesh.mColors[0][v]));
       part.albedo.push_back(change.reflection ? change.reflection->albedo : color.cwiseMax(0.0F).cwiseMin(1.0F).eval());
@@ -145,6 +149,7 @@ class Collector {
     soup.normals.insert(soup.normals.end(), part.normals.begin(), part.normals.end());
     soup.albedo.insert(soup.albedo.end(), part.albedo.begin(), part.albedo.end());
     soup.texture.insert(soup.texture.end(), part.texture.begin(), part.texture.end());
+    soup.chart.insert(soup.chart.end(), part.chart.begin(), part.chart.end());
     for (const Face& face : part.faces) soup.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
   }
 
@@ -169,10 +174,11 @@ class Collector {
   [[nodiscard]] bool has_unread_textures(const aiMaterial* material) const {
     if (material == nullptr) return false;
     for (int type = aiTextureType_DIFFUSE; type <= AI_TEXTURE_TYPE_MAX; ++type) {
-      const bool is_read = type == aiTextureType_NORMALS || type == aiTextureType_DIFFUSE ||
-                           std::find(kColors.begin(), kColors.end(), type) != kColors.end() ||
-                           std::find(kFacets.begin(), kFacets.end(), type) != kFacets.end();
-      if (is_linear_ && is_read) continue;
+      const auto is_among = [&](const auto& types) {
+        return std::find(types.begin(), types.end(), type) != types.end();
+      };
+      const bool is_of_gltf = type == aiTextureType_NORMALS || is_among(kFacets) || is_among(kEmission);
+      if (is_among(kColors) || (is_linear_ && is_of_gltf)) continue;
       if (material->GetTextureCount(static_cast<aiTextureType>(type)) > 0) return true;
     }
     return false;
@@ -228,28 +234,45 @@ class Collector {
     return known;
   }
 
-  // What the scene changes needs no picture of the file. Only glTF says how its pictures are to be read, and on which
-  // coordinates.
+  // The type of the first picture among `types`, if its coordinates are known: those of the first set, as they are.
+  template <class Types>
+  std::optional<aiTextureType> placed(const Types& types, const aiMaterial& material, bool has_coordinates) {
+    const std::optional<aiTextureType> type = type_among(types, material);
+    if (!type) return std::nullopt;
+    const bool is_moved = material_value<aiUVTransform>(&material, AI_MATKEY_UVTRANSFORM(*type, 0)).has_value();
+    const int set = material_value<int>(&material, AI_MATKEY_UVWSRC(*type, 0)).value_or(0);
+    if (has_coordinates && !is_moved && set == 0) return type;
+    misplaced_.insert(&material);
+    return std::nullopt;
+  }
+
+  // What the scene changes needs no picture of the file. Other formats than glTF do not say how pictures besides that of
+  // the color are to be read.
   void take_pictures(const aiMaterial* material, const MaterialChange& change, bool has_coordinates, Finish& finish) {
     finish.normal_map = change.normal_map;
-    if (!is_linear_ || material == nullptr) return;
-    const auto placed = [&](std::optional<aiTextureType> type) {
-      if (!type) return false;
-      const bool is_moved = material_value<aiUVTransform>(material, AI_MATKEY_UVTRANSFORM(*type, 0)).has_value();
-      const int set = material_value<int>(material, AI_MATKEY_UVWSRC(*type, 0)).value_or(0);
-      if (!has_coordinates || is_moved || set != 0) misplaced_.insert(material);
-      return has_coordinates && !is_moved && set == 0;
-    };
-    if (finish.normal_map == nullptr && placed(type_among(std::array{aiTextureType_NORMALS}, *material))) {
+    if (material == nullptr) return;
+    VariedMaterial& varied = finish.varied;
+    if (!change.reflection) {
+      if (const auto type = placed(kColors, *material, has_coordinates)) {
+        varied.albedo = pictures_.picture(*material, *type, ColorSpace::kOfFile);
+        varied.shown = pictures_.encoded(*material, *type);
+      }
+    }
+    if (!is_linear_) return;
+    if (finish.normal_map == nullptr && placed(std::array{aiTextureType_NORMALS}, *material, has_coordinates)) {
       finish.normal_map = pictures_.normal_map(*material);
     }
-    if (const auto type = type_among(kColors, *material); !change.reflection && placed(type)) {
-      finish.varied.albedo = pictures_.picture(*material, *type, ColorSpace::kOfFile);
+    if (!change.emission && !finish.emission.isZero(0.0F)) {
+      if (const auto type = placed(kEmission, *material, has_coordinates)) {
+        varied.emission = pictures_.picture(*material, *type, ColorSpace::kOfFile);
+      }
     }
-    if (const auto type = type_among(kFacets, *material); !change.gloss && placed(type)) {
-      finish.varied.facets = pictures_.picture(*material, *type, ColorSpace::kLinear);
-      finish.varied.roughness = material_value<float>(material, AI_MATKEY_ROUGHNESS_FACTOR).value_or(1.0F);
-      finish.varied.metallic = material_value<float>(material, AI_MATKEY_METALLIC_FACTOR).value_or(1.0F);
+    if (!change.gloss) {
+      if (const auto type = placed(kFacets, *material, has_coordinates)) {
+        varied.facets = pictures_.picture(*material, *type, ColorSpace::kLinear);
+        varied.roughness = material_value<float>(material, AI_MATKEY_ROUGHNESS_FACTOR).value_or(1.0F);
+        varied.metallic = material_value<float>(material, AI_MATKEY_METALLIC_FACTOR).value_or(1.0F);
+      }
     }
   }
 

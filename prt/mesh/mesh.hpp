@@ -12,15 +12,18 @@
 
 #include "prt/material/lobe.hpp"
 #include "prt/material/normal_map.hpp"
+#include "prt/material/pictures.hpp"
 #include "prt/material/reflectance.hpp"
+#include "prt/mesh/atlas.hpp"
 #include "prt/mesh/frame.hpp"
 
 namespace sh::prt {
 
 using Face = std::array<std::uint32_t, 3>;
 
-/// Triangles, counterclockwise as seen from outside. All vertex arrays have one length, except that `emission`,
-/// `mirror`, `specular` with `exponent`, `brdf`, and `texture` with `normal_map`, are empty if the whole mesh has none.
+/// Triangles, counterclockwise as seen from outside. All vertex arrays have one length, except that `emission`, `mirror`,
+/// `specular` with `exponent`, `brdf`, `normal_map`, `albedo_map` with `tint`, `texture`, and `chart` with `atlas`, are empty
+/// if the whole mesh has none. Vertices without faces are texels of an atlas.
 /// `remap` has one entry for each vertex of the mesh files, in the order of the scene; several vertices of a file map
 /// to one vertex here if position, normal, albedo and finish agree. It is empty for a mesh made in code.
 struct Mesh {
@@ -36,10 +39,17 @@ struct Mesh {
                                                    // reflection for glossy transfer; 0: none
   std::vector<Eigen::Vector2f> texture;            // coordinates (prt/material/normal_map.hpp)
   std::vector<std::uint16_t> normal_map;           // 1 + number in `normal_maps`, for glossy transfer; 0: none
+  std::vector<std::uint16_t> albedo_map;           // 1 + number in `albedo_maps`; 0: none. `albedo` is then a mean
+                                                   // of the picture around the vertex
+  std::vector<Eigen::Vector3f> tint;               // linear RGB: the albedo of a place is this times the picture there
+  std::vector<Eigen::Vector2f> chart;              // place in an atlas
+  std::vector<std::uint16_t> atlas;                // 1 + number in `atlases`; 0: none
   std::vector<Face> faces;
   std::vector<std::uint32_t> remap;  // (vertices of the files) -> vertex, kNoVertex where no face used it
   Reflectances brdfs;
   NormalMaps normal_maps;
+  Pictures albedo_maps;
+  Atlases atlases;
   Frame frame;
 
   /// A vertex in the world, in the unit of the scene.
@@ -64,7 +74,7 @@ Eigen::AlignedBox<Scalar, 3> bounding_box(const std::vector<Eigen::Matrix<Scalar
 inline void leave_out_gloss(Mesh& mesh) {
   mesh.brdf.clear();
   mesh.brdfs = {};
-  mesh.texture.clear();
+  if (mesh.albedo_map.empty()) mesh.texture.clear();
   mesh.normal_map.clear();
   mesh.normal_maps = {};
 }

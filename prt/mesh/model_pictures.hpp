@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "prt/material/normal_map.hpp"
+#include "prt/material/pictures.hpp"
 
 struct aiScene;
 
@@ -25,11 +26,15 @@ class ModelPictures {
   /// Another picture of a material; null as above.
   std::shared_ptr<const Image> picture(const aiMaterial& material, aiTextureType type, ColorSpace space);
 
+  /// The same as the file has it, a picture that can be read.
+  std::shared_ptr<const EncodedPicture> encoded(const aiMaterial& material, aiTextureType type);
+
   /// One line for each picture that could not be read.
   [[nodiscard]] const std::vector<std::string>& flaws() const { return flaws_; }
 
  private:
-  [[nodiscard]] Image read(const std::string& name, ColorSpace space) const;
+  [[nodiscard]] EncodedPicture read(const std::string& name) const;
+  [[nodiscard]] Image decoded(const std::string& name, ColorSpace space) const;
   // What make() returns, or null with a flaw if it throws.
   template <class Picture, class Make>
   std::shared_ptr<const Picture> made(const std::string& name, const Make& make);
@@ -38,6 +43,7 @@ class ModelPictures {
   const aiScene& scene_;
   std::map<std::pair<std::string, float>, std::shared_ptr<const NormalMap>> normal_maps_;  // by name and scale
   std::map<std::pair<std::string, ColorSpace>, std::shared_ptr<const Image>> pictures_;
+  std::map<std::string, std::shared_ptr<const EncodedPicture>> encoded_;
   std::vector<std::string> flaws_;
 };
 

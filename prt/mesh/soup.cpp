@@ -164,6 +164,7 @@ std::size_t complete_normals(Soup& soup, float crease_degrees) {
       corners.normals.push_back(normal.norm() > 0.0F ? normal.normalized() : flat[f]);
       corners.albedo.push_back(soup.albedo[v]);
       if (!soup.texture.empty()) corners.texture.push_back(soup.texture[v]);
+      if (!soup.chart.empty()) corners.chart.push_back(soup.chart[v]);
       corners.source.push_back(soup.source.empty() ? v : soup.source[v]);
     }
     corners.faces.push_back(face);

@@ -27,11 +27,13 @@ struct Gloss {
 
 /// Pictures at texture coordinates that vary a material; null where it does not vary.
 struct VariedMaterial {
-  std::shared_ptr<const Image> albedo;  // linear RGB, a factor of the albedo
+  std::shared_ptr<const Image> albedo;          // linear RGB, a factor of the albedo
+  std::shared_ptr<const EncodedPicture> shown;  // the same as the file has it, for pictures of the surface
+  std::shared_ptr<const Image> emission;        // linear RGB, a factor of the emission
   std::shared_ptr<const Image> facets;  // green times `roughness`, blue times `metallic` (material/microfacet.hpp)
   float roughness = 1.0F;
   float metallic = 1.0F;
-  [[nodiscard]] bool any() const { return albedo != nullptr || facets != nullptr; }
+  [[nodiscard]] bool any() const { return albedo != nullptr || emission != nullptr || facets != nullptr; }
   bool operator==(const VariedMaterial&) const = default;
 };
 
@@ -85,12 +87,13 @@ struct MaterialChanges {
 
 /// Vertices may repeat. Positions are double, so that a place far from the origin does not cost the digits of the
 /// shape. `normals` and `albedo` are as long as `positions`; `normals` may be empty, then they are computed. `texture`
-/// may be empty, too; only surfaces with pictures use it.
+/// may be empty, too; only surfaces with pictures use it. So may `chart`, which only atlases use.
 struct Soup {
   std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Vector3f> normals;
   std::vector<Eigen::Vector3f> albedo;   // linear RGB
   std::vector<Eigen::Vector2f> texture;  // coordinates
+  std::vector<Eigen::Vector2f> chart;    // coordinates in an atlas
   std::vector<Face> faces;               // counterclockwise as seen from outside
   std::vector<std::uint32_t> source;     // vertex of the file each vertex came from; empty: itself
   std::vector<std::uint32_t> finish;     // (faces) into `finishes`; empty: every face has the first

@@ -152,6 +152,7 @@ class Splitter {
       mesh_.normals.push_back(normal.norm() > 1e-3F ? normal.normalized() : mesh_.normals[a]);
       mesh_.albedo.emplace_back(0.5F * (mesh_.albedo[a] + mesh_.albedo[b]));
       if (!mesh_.texture.empty()) mesh_.texture.emplace_back(0.5F * (mesh_.texture[a] + mesh_.texture[b]));
+      if (!mesh_.chart.empty()) mesh_.chart.emplace_back(0.5F * (mesh_.chart[a] + mesh_.chart[b]));
       repeat_finish(mesh_, a);  // both ends of an edge have one finish
     }
     return entry->second;

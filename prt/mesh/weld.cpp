@@ -71,12 +71,28 @@ void append_all(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
+// Atlases are never shared: their texels are vertices of the part. To be called before its positions are there.
+void append_atlases(Mesh& mesh, const Mesh& part) {
+  const std::size_t first = mesh.positions.size();
+  const auto before = static_cast<std::uint16_t>(mesh.atlases.heads.size());
+  std::vector<std::uint16_t> numbers = part.atlas;
+  for (std::uint16_t& number : numbers) number = number == 0 ? 0 : static_cast<std::uint16_t>(number + before);
+  append_all_or_zeros(mesh.chart, first, part.chart, part.positions.size(), Eigen::Vector2f::Zero().eval());
+  append_all_or_zeros(mesh.atlas, first, numbers, part.positions.size(), std::uint16_t{0});
+  for (Atlases::Head head : part.atlases.heads) {
+    head.first += static_cast<std::uint32_t>(first);
+    mesh.atlases.heads.push_back(head);
+  }
+  append_all(mesh.atlases.pixels, part.atlases.pixels);
+  append_all(mesh.atlases.reach, part.atlases.reach);
+}
+
 }  // namespace
 
 Mesh weld(const Soup& soup, std::size_t source_vertices) {
   Mesh mesh;
   mesh.remap.assign(source_vertices, kNoVertex);
-  std::unordered_map<std::array<std::uint32_t, 12>, std::uint32_t, WordsHash> welded;
+  std::unordered_map<std::array<std::uint32_t, 14>, std::uint32_t, WordsHash> welded;
   welded.reserve(soup.positions.size());
   std::vector<std::uint32_t> finish_of_vertex;
   for (std::size_t f = 0; f < soup.faces.size(); ++f) {
@@ -87,11 +103,12 @@ Mesh weld(const Soup& soup, std::size_t source_vertices) {
       const std::uint32_t finish = soup.finish_of(f);
       const Eigen::Vector2f texture =
           soup.finishes[finish].has_pictures() ? soup.texture[v] : Eigen::Vector2f::Zero().eval();
-      Eigen::Matrix<float, 11, 1> numbers;
-      numbers << soup.positions[v].cast<float>(), rounded(soup.normals[v]), soup.albedo[v], texture;
-      std::array<std::uint32_t, 12> key{};
-      std::copy_n(bits_of(numbers).begin(), 11, key.begin());
-      key[11] = finish;
+      const Eigen::Vector2f chart = soup.chart.empty() ? Eigen::Vector2f::Zero().eval() : soup.chart[v];
+      Eigen::Matrix<float, 13, 1> numbers;
+      numbers << soup.positions[v].cast<float>(), rounded(soup.normals[v]), soup.albedo[v], texture, chart;
+      std::array<std::uint32_t, 14> key{};
+      std::copy_n(bits_of(numbers).begin(), 13, key.begin());
+      key[13] = finish;
       const auto next = static_cast<std::uint32_t>(mesh.positions.size());
       const auto [entry, added] = welded.try_emplace(key, next);
       if (added) {
@@ -99,6 +116,7 @@ Mesh weld(const Soup& soup, std::size_t source_vertices) {
         mesh.normals.push_back(soup.normals[v]);
         mesh.albedo.push_back(soup.albedo[v]);
         mesh.texture.push_back(texture);
+        if (!soup.chart.empty()) mesh.chart.push_back(chart);
         finish_of_vertex.push_back(finish);
       }
       indices[k] = entry->second;
@@ -119,6 +137,9 @@ Mesh weld(const Soup& soup, std::size_t source_vertices) {
                          [](const Finish& finish) { return finish.gloss.brdf.get(); });
   mesh.normal_map = numbers_of(finish_of_vertex, soup.finishes, mesh.normal_maps,
                                [](const Finish& finish) { return finish.normal_map.get(); });
+  mesh.albedo_map = numbers_of(finish_of_vertex, soup.finishes, mesh.albedo_maps,
+                               [](const Finish& finish) { return finish.varied.shown.get(); });
+  if (!mesh.albedo_map.empty()) mesh.tint = mesh.albedo;  // until vary_materials()
   if (std::none_of(soup.finishes.begin(), soup.finishes.end(), std::mem_fn(&Finish::has_pictures)))
     mesh.texture.clear();
   set_geometric_normals(mesh);
@@ -152,6 +173,10 @@ void append(Mesh& mesh, const Mesh& part) {
   append_all_or_zeros(mesh.texture, first, part.texture, part.positions.size(), Eigen::Vector2f::Zero().eval());
   append_all_or_zeros(mesh.normal_map, first, renumbered(part.normal_map, part.normal_maps, mesh.normal_maps),
                       part.positions.size(), std::uint16_t{0});
+  append_all_or_zeros(mesh.albedo_map, first, renumbered(part.albedo_map, part.albedo_maps, mesh.albedo_maps),
+                      part.positions.size(), std::uint16_t{0});
+  append_all_or_zeros(mesh.tint, first, part.tint, part.positions.size(), black);
+  append_atlases(mesh, part);
   append_all(mesh.positions, part.positions);
   append_all(mesh.normals, part.normals);
   append_all(mesh.geometric_normals, part.geometric_normals);
@@ -161,11 +186,11 @@ void append(Mesh& mesh, const Mesh& part) {
 }
 
 void repeat_finish(Mesh& mesh, std::uint32_t vertex) {
-  for (std::vector<Eigen::Vector3f>* values : {&mesh.emission, &mesh.mirror, &mesh.specular}) {
+  for (std::vector<Eigen::Vector3f>* values : {&mesh.emission, &mesh.mirror, &mesh.specular, &mesh.tint}) {
     if (!values->empty()) values->push_back(Eigen::Vector3f((*values)[vertex]));
   }
   if (!mesh.exponent.empty()) mesh.exponent.push_back(float{mesh.exponent[vertex]});
-  for (std::vector<std::uint16_t>* numbers : {&mesh.brdf, &mesh.normal_map}) {
+  for (std::vector<std::uint16_t>* numbers : {&mesh.brdf, &mesh.normal_map, &mesh.albedo_map}) {
     if (!numbers->empty()) numbers->push_back(std::uint16_t{(*numbers)[vertex]});
   }
 }
@@ -179,6 +204,7 @@ void add_backs(Mesh& mesh, const std::vector<std::uint8_t>& is_two_sided) {
       mesh.normals.emplace_back(-mesh.normals[front]);
       mesh.albedo.emplace_back(Eigen::Vector3f(mesh.albedo[front]));
       if (!mesh.texture.empty()) mesh.texture.emplace_back(Eigen::Vector2f(mesh.texture[front]));
+      if (!mesh.chart.empty()) mesh.chart.emplace_back(Eigen::Vector2f(mesh.chart[front]));
       repeat_finish(mesh, front);
     }
     return backs[front];

@@ -49,6 +49,17 @@ constexpr std::array<double, 2> kLittleSeen = {0.02, kNearlyDark};
 constexpr std::array<double, 2> kManyBacks = {0.4, 0.6};
 constexpr std::array<double, 2> kMostNear = {0.95, 0.99};
 
+// (vertices) 0 where there is no texel, and of a mesh from a file.
+std::vector<float> reaches_of_texels(const Mesh& mesh) {
+  std::vector<float> reaches(mesh.positions.size(), 0.0F);
+  for (std::size_t a = 0; a < mesh.atlases.heads.size() && !mesh.atlases.reach.empty(); ++a) {
+    const Atlases::Head& head = mesh.atlases.heads[a];
+    std::copy_n(mesh.atlases.reach.begin() + static_cast<std::ptrdiff_t>(mesh.atlases.entry(a)), head.count,
+                reaches.begin() + head.first);
+  }
+  return reaches;
+}
+
 }  // namespace
 
 std::vector<RayStart> ray_starts(const Mesh& mesh) {
@@ -63,11 +74,12 @@ std::vector<RayStart> ray_starts(const Mesh& mesh) {
       ++faces[v];
     }
   }
+  const std::vector<float> reach_of_texel = reaches_of_texels(mesh);
   std::vector<RayStart> starts;
   starts.reserve(mesh.positions.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const Eigen::Vector3f& position = mesh.positions[v];
-    const float reach = distance[v] / static_cast<float>(std::max(faces[v], 1));
+    const float reach = faces[v] == 0 ? reach_of_texel[v] : distance[v] / static_cast<float>(faces[v]);
     const float rounding = std::numeric_limits<float>::epsilon() * position.cwiseAbs().maxCoeff();
     const float length = std::max(kOffset * reach, std::min(kRoundings * rounding, kMostOffset * reach));
     const Eigen::Vector3f& up = mesh.geometric_normals[v];

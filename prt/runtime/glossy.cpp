@@ -165,12 +165,11 @@ void TransferredRadiance::meet(const Transfer& transfer, const LightCoefficients
   require_single(transfer, values_, [](float value) { return std::isfinite(value); });
 }
 
-void TransferredRadiance::at(const Hit& hit, const Mesh& mesh, float* out) const {
-  const Face& face = mesh.faces[hit.face];
-  const std::array<float, 3> part = hit.parts();
+void TransferredRadiance::at(const ReceiversAt& place, float* out) const {
   const std::size_t count = kChannels * coefficient_count(degree_);
-  const auto of = [&](std::size_t k) { return part[k] * as_array(at(face[k]), count); };
+  const auto of = [&](std::size_t k) { return place.part[k] * as_array(at(place.receiver[k]), count); };
   as_array(out, count) = of(0) + of(1) + of(2);
+  if (place.count > 3) as_array(out, count) += of(3);
 }
 
 Material material_of(const Mesh& mesh, std::size_t vertex, const Eigen::Vector3f& albedo) {
@@ -223,15 +222,16 @@ std::vector<double> held_shares_of_brdfs(const Transfer& transfer) {
   return shares;
 }
 
-Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, std::vector<Eigen::Vector3f> albedo,
-                       MoreOfLobe more) {
-  return [&transfer, all = std::move(reaching), colors = std::move(albedo), more = std::move(more),
+Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, SurfaceColors colors, MoreOfLobe more) {
+  return [&transfer, all = std::move(reaching), colors = std::move(colors), more = std::move(more),
+          receivers = SurfaceReceivers(transfer.mesh),
           normals = ShadingNormals(transfer.mesh)](const Hit& hit, const Eigen::Vector3f& direction) {
     const Mesh& mesh = transfer.mesh;
+    const ReceiversAt place = receivers.at(hit);
     std::array<float, kChannels * kMostCoefficients> between;
-    all.at(hit, mesh, between.data());
+    all.at(place, between.data());
     const Face& face = mesh.faces[hit.face];
-    const Eigen::Vector3f color = interpolated(hit, mesh, colors);
+    const Eigen::Vector3f color = colors.at(hit);
     const Eigen::Vector3f normal = normals.at(hit);
     const auto sent = [&](std::size_t corner) {
       const Material material = material_of(mesh, face[corner], color);
@@ -244,7 +244,7 @@ Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, s
       const std::array<float, 3> part = hit.parts();
       radiance = part[0] * radiance + part[1] * sent(1) + part[2] * sent(2);
     }
-    if (!transfer.emitted.empty()) radiance += interpolated(hit, mesh, transfer.emitted);
+    if (!transfer.emitted.empty()) radiance += place.mean(transfer.emitted);
     return radiance;
   };
 }

@@ -9,9 +9,11 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "prt/light/light_coefficients.hpp"
+#include "prt/rays/receivers_at.hpp"
 #include "prt/runtime/exit_lobes.hpp"
 #include "prt/runtime/render.hpp"
 #include "prt/transfer/grid_cell.hpp"
@@ -35,8 +37,8 @@ class TransferredRadiance {
   [[nodiscard]] int degree() const { return degree_; }
   /// (3, bands^2): red, green, blue.
   [[nodiscard]] const float* at(std::size_t vertex) const { return values_.data() + vertex * stride_; }
-  /// The same between the corners of a face, into `out`.
-  void at(const Hit& hit, const Mesh& mesh, float* out) const;
+  /// The same between receivers, into `out`.
+  void at(const ReceiversAt& place, float* out) const;
   /// The same between the points of a grid.
   void at(const GridCell& cell, float* out) const { cell.mix(values_.data(), stride_, out); }
 
@@ -73,10 +75,16 @@ std::vector<double> held_shares_of_brdfs(const Transfer& transfer);
 /// Radiance that the lobe of a vertex sends besides, of linear RGB, from about a unit direction at a place.
 using MoreOfLobe = std::function<Eigen::Vector3f(const Hit& hit, std::size_t vertex, const Eigen::Vector3f& direction)>;
 
-/// What a picture shows, shaded at every hit; `albedo` (vertices) serves in place of the mesh's. `transfer` must outlive
-/// the result. more: empty, or the part of lobes that the transfer cannot hold (prt/runtime/sharp_layer.hpp).
-Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, std::vector<Eigen::Vector3f> albedo,
+/// What a picture shows, shaded at every hit with the albedo of `colors`. `transfer` must outlive the result. more: empty, or
+/// the part of lobes that the transfer cannot hold (prt/runtime/sharp_layer.hpp).
+Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching, SurfaceColors colors,
                        MoreOfLobe more = {});
+/// The same without pictures; `albedo` (vertices) serves in place of the mesh's.
+inline Surface glossy_surface(const Transfer& transfer, TransferredRadiance reaching,
+                              std::vector<Eigen::Vector3f> albedo, MoreOfLobe more = {}) {
+  return glossy_surface(transfer, std::move(reaching), SurfaceColors(transfer.mesh, std::move(albedo)),
+                        std::move(more));
+}
 
 /// Exit radiance of the vertices of `transfer` towards a point `eye` of the world, without the emitted light; `albedo`
 /// (vertices) serves in place of the mesh's.

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "prt/chunks.hpp"
 #include "prt/light/proxy_shadow.hpp"
 #include "prt/mesh/weld.hpp"
 #include "prt/runtime/neighborhood.hpp"
 #include "prt/runtime/relight.hpp"
+#include "prt/runtime/sampled_light.hpp"
 
 namespace sh::prt {
 namespace {
@@ -115,8 +117,8 @@ Mesh merged_mesh(const Stage& stage, const std::vector<Pose>& poses) {
 }
 
 StageLighting::StageLighting(const Stage& stage, const std::function<LightCoefficients(int)>& projected,
-                             Shading shading)
-    : stage_(stage), shading_(std::move(shading)) {
+                             Shading shading, std::vector<Light> lights)
+    : stage_(stage), shading_(std::move(shading)), lights_of_scene_(std::move(lights)) {
   const auto highest = std::max_element(
       stage.objects.begin(), stage.objects.end(),
       [](const StageObject& a, const StageObject& b) { return a.transfer->degree() < b.transfer->degree(); });
@@ -144,7 +146,44 @@ std::vector<Eigen::Vector3f> StageLighting::radiance(const std::vector<Pose>& po
                           : shading_.shade(*object.transfer, light_at_object(stage_, poses, i, light, volumes));
     all.insert(all.end(), part.begin(), part.end());
   }
+  const std::vector<Eigen::Vector3f> seen = all;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const StageObject& object = stage_.objects[i];
+    if (object.from_scene) {
+      const LightCoefficients light =
+          turned_into(poses[i], light_from_scene(poses, light_turn, seen, i), Eigen::Matrix3d::Identity());
+      const std::vector<Eigen::Vector3f> part = shading_.shade(*object.transfer, light);
+      std::copy(part.begin(), part.end(), all.begin() + static_cast<std::ptrdiff_t>(first));
+    }
+    first += object.transfer->mesh.positions.size();
+  }
   return all;
+}
+
+LightCoefficients StageLighting::light_from_scene(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
+                                                  const std::vector<Eigen::Vector3f>& radiance,
+                                                  std::size_t index) const {
+  Mesh others;
+  std::vector<Eigen::Vector3d> points;
+  std::vector<Eigen::Vector3f> sent;
+  auto next = radiance.begin();
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const Mesh& mesh = stage_.objects[k].transfer->mesh;
+    const auto end = next + static_cast<std::ptrdiff_t>(mesh.positions.size());
+    if (k != index) {
+      append_placed(others, points, mesh, poses[k]);
+      sent.insert(sent.end(), next, end);
+    }
+    next = end;
+  }
+  const std::vector<Light> lights = turned(lights_of_scene_, light_turn);
+  const int degree = shading_.degree_for(stage_.objects[index].transfer->degree());
+  if (others.faces.empty()) return shading_.chosen(project(lights, degree));
+  place(others, points, stage_.name);
+  const Tracer tracer(others);
+  const LightSampler sampler(others, tracer, diffuse_surface(others, std::move(sent)), lights, CubeSize());
+  return shading_.chosen(sampler.at(placed(poses[index], stage_.objects[index].proxy.center), degree).light);
 }
 
 }  // namespace sh::prt

@@ -3,8 +3,11 @@
 // (prt/runtime/neighborhood.hpp). The bounding spheres of the other objects cover caps of it (prt/light/proxy_shadow.hpp).
 // Both are seen from the center of the object or, if the object asks for it, from each of its vertices.
 //
+// An object may also take its light from the scene [SloanKautzSnyder02, section 6.2]: what the lit surfaces of the others and
+// the sky between them send to its center, sampled for every frame (prt/runtime/sampled_light.hpp).
+//
 // Approximations: the light is equally far away from all objects. An object without a volume blocks light like its
-// sphere. No light goes from one object to another. With one light for the whole object, a shadow falls evenly on all of
+// sphere. No light goes from one object to another, but to those that take it from the scene, once. With one light for the whole object, a shadow falls evenly on all of
 // it. A point inside the sphere of another object, for instance where objects touch, has half of its directions covered;
 // overlaps() reports it.
 #pragma once
@@ -31,8 +34,10 @@ Mesh merged_mesh(const Stage& stage, const std::vector<Pose>& poses);
 class StageLighting {
  public:
   /// `projected` gives the lights' coefficients of a degree; it is called once for each that the objects have. Throws
-  /// std::invalid_argument where the shading does not fit an object; a degree need only fit one of them.
-  StageLighting(const Stage& stage, const std::function<LightCoefficients(int)>& projected, Shading shading);
+  /// std::invalid_argument where the shading does not fit an object; a degree need only fit one of them. `lights` are the
+  /// same, for objects that take their light from the scene.
+  StageLighting(const Stage& stage, const std::function<LightCoefficients(int)>& projected, Shading shading,
+                std::vector<Light> lights = {});
 
   /// The light of the objects of this degree, before it turns.
   [[nodiscard]] const LightCoefficients& light(int degree) const { return lights_.at(degree); }
@@ -41,8 +46,14 @@ class StageLighting {
                                                       const Eigen::Matrix3d& light_turn) const;
 
  private:
+  /// The light at the center of an object, in world axes; `radiance` is that of the vertices of all objects.
+  [[nodiscard]] LightCoefficients light_from_scene(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
+                                                   const std::vector<Eigen::Vector3f>& radiance,
+                                                   std::size_t index) const;
+
   const Stage& stage_;
   Shading shading_;
+  std::vector<Light> lights_of_scene_;
   std::map<int, LightCoefficients> lights_;  // by the degree of the transfer
 };
 

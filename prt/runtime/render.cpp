@@ -12,6 +12,7 @@
 #include "prt/chunks.hpp"
 #include "prt/image/image.hpp"
 #include "prt/rays/mirror_paths.hpp"
+#include "prt/rays/receivers_at.hpp"
 
 namespace sh::prt {
 
@@ -56,6 +57,11 @@ void shade_row(const std::vector<Eigen::Vector3f>& radiance, const RowOfRays& ra
     picture.radiance[pixel] = sum / static_cast<float>(size.samples);
     picture.coverage[pixel] = static_cast<float>(hits) / static_cast<float>(size.samples);
   }
+}
+
+// Zeros where no surface emits light.
+std::vector<Eigen::Vector3f> own_light(std::size_t vertices, const std::vector<Eigen::Vector3f>& emitted) {
+  return emitted.empty() ? std::vector<Eigen::Vector3f>(vertices, Eigen::Vector3f::Zero()) : emitted;
 }
 
 }  // namespace
@@ -119,9 +125,27 @@ std::vector<Eigen::Vector3f> Picture::covered(float least) const {
   return out;
 }
 
-Surface diffuse_surface(const Mesh& mesh, std::vector<Eigen::Vector3f> vertex_radiance) {
-  return [&mesh, radiance = std::move(vertex_radiance)](const Hit& hit, const Eigen::Vector3f& /*direction*/) {
-    return interpolated(hit, mesh, radiance);
+Surface diffuse_surface(const Mesh& mesh, std::vector<Eigen::Vector3f> radiance) {
+  return [&mesh, receivers = SurfaceReceivers(mesh), radiance = std::move(radiance)](
+             const Hit& hit, const Eigen::Vector3f& /*direction*/) { return receivers.at(hit).mean(radiance); };
+}
+
+Surface diffuse_surface(const Mesh& mesh, std::vector<Eigen::Vector3f> radiance,
+                        const std::vector<Eigen::Vector3f>& emitted, SurfaceColors colors) {
+  if (mesh.albedo_map.empty()) return diffuse_surface(mesh, std::move(radiance));
+  const std::vector<Eigen::Vector3f> own = own_light(mesh.positions.size(), emitted);
+  std::vector<Eigen::Vector3f> reaching(mesh.positions.size(), Eigen::Vector3f::Zero());
+  for (std::size_t v = 0; v < reaching.size(); ++v) {
+    for (int c = 0; c < 3; ++c) {
+      const float albedo = colors.of_vertices()[v][c];
+      if (albedo > 0.0F) reaching[v][c] = (radiance[v][c] - own[v][c]) / albedo;
+    }
+  }
+  return [&mesh, receivers = SurfaceReceivers(mesh), colors = std::move(colors), own, reaching,
+          radiance = std::move(radiance)](const Hit& hit, const Eigen::Vector3f& /*direction*/) {
+    const ReceiversAt at = receivers.at(hit);
+    if (!colors.has_picture(mesh.faces[hit.face][0])) return at.mean(radiance);
+    return Eigen::Vector3f(at.mean(reaching).cwiseProduct(colors.at(hit)) + at.mean(own));
   };
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "prt/rays/tracer.hpp"
+#include "prt/runtime/surface_colors.hpp"
 #include "prt/scene/camera.hpp"
 
 namespace sh::prt {
@@ -57,9 +58,13 @@ using Background = std::function<Eigen::Vector3f(const Eigen::Vector3f& directio
 /// The radiance that leaves a surface at a hit, against the direction of the ray.
 using Surface = std::function<Eigen::Vector3f(const Hit& hit, const Eigen::Vector3f& direction)>;
 
-/// Interpolates exit radiance between vertices; `vertex_radiance` (vertices) comes from relight(). The mesh must outlive
-/// the result.
-Surface diffuse_surface(const Mesh& mesh, std::vector<Eigen::Vector3f> vertex_radiance);
+/// Interpolates exit radiance between the receivers of a mesh; `radiance` (vertices) comes from relight(), and `emitted`
+/// (vertices, or empty) is the part of it that the surfaces emit. Where `colors` has pictures, the light is interpolated
+/// and meets the albedo of the picture. The mesh must outlive the result.
+Surface diffuse_surface(const Mesh& mesh, std::vector<Eigen::Vector3f> radiance,
+                        const std::vector<Eigen::Vector3f>& emitted, SurfaceColors colors);
+/// The same without pictures.
+Surface diffuse_surface(const Mesh& mesh, std::vector<Eigen::Vector3f> radiance);
 
 /// Mirrors show the surface at which their paths end. The same bits
 /// for any number of threads. Progress on standard error is labeled `what`. Throws std::invalid_argument for an

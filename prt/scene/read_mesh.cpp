@@ -61,6 +61,7 @@ ImportedMesh read_shape(const JsonReader& reader, const std::string& folder, con
   const auto segments = reader.find("segments");
   ImportedMesh shape;
   shape.soup = make_primitive(primitive->one_of(primitive_names()), segments ? segments->integer(3, kMaxSegments) : 48);
+  shape.soup.chart = shape.soup.texture;
   shape.file_vertices = shape.soup.positions.size();
   const MaterialChange& change = changes.all;
   if (change.reflection) {
@@ -253,19 +254,27 @@ Mesh finish_mesh(MeshPart part, const Frame& frame, OnFlaw on_flaw) {
     origins = tessellate(
         mesh, [&](const Eigen::Vector3f&) { return limit; }, name);
   }
-  vary_materials(soup, origins, mesh);
   std::vector<std::uint8_t> is_two_sided;
   for (const std::uint32_t face : origins) {
     is_two_sided.push_back(soup.finishes[soup.finish_of(face)].is_two_sided ? 1 : 0);
   }
-  if (std::count(is_two_sided.begin(), is_two_sided.end(), 1) > 0) add_backs(mesh, is_two_sided);
+  const std::size_t fronts = mesh.faces.size();
+  if (std::count(is_two_sided.begin(), is_two_sided.end(), 1) > 0) {
+    add_backs(mesh, is_two_sided);
+    for (std::size_t f = 0; f < fronts; ++f) {
+      if (is_two_sided[f] != 0) origins.push_back(std::uint32_t{origins[f]});
+    }
+  }
+  std::vector<std::uint32_t> texels;
+  if (part.texels > 0) texels = add_atlas(mesh, fronts, part.texels, name);
+  vary_materials(soup, origins, texels, mesh);
   return mesh;
 }
 
 MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
-  reader.allow({"file", "primitive", "segments", "transform", "up", "albedo", "mirror", "specular", "exponent",
-                "roughness", "metallic", "brdf", "normal_map", "emission", "sides", "materials", "max_edge", "crease",
-                "flip"});
+  reader.allow({"file",     "primitive", "segments",  "transform", "up",   "albedo",     "mirror",
+                "specular", "exponent",  "roughness", "metallic",  "brdf", "normal_map", "emission",
+                "sides",    "materials", "max_edge",  "crease",    "flip", "texels"});
   const MaterialChanges changes = read_materials(reader, folder, on_flaw);
   MeshPart part;
   part.crease_degrees = kDefaultCrease;
@@ -286,6 +295,7 @@ MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw o
   ImportedMesh shape = read_shape(reader, folder, changes);
   check_material_names(reader, shape.materials);
   reader.take("flip", is_flipped, &JsonReader::boolean);
+  reader.take("texels", part.texels, &JsonReader::integer, 1, kMostTexelsAlong);
   const auto file = reader.find("file");
   part.name = file ? beside(folder, file->text()) : reader.at("primitive").text();
   for (const std::string& line : shape.unread) report_flaw(on_flaw, fmt::format("{}: {}", part.name, line));
@@ -294,6 +304,7 @@ MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw o
   transform(shape.soup, up.value_or(shape.up) == UpAxis::kY ? map * stand_up() : map);
   if (is_flipped) turn_inside_out(shape.soup);
   part.soup = std::move(shape.soup);
+  if (part.texels == 0) part.soup.chart.clear();
   part.file_vertices = shape.file_vertices;
   return part;
 }

@@ -45,6 +45,7 @@ struct MeshPart {
   std::size_t file_vertices = 0;
   float crease_degrees = 0.0F;
   double max_edge = 0.0;              // 0: faces are not split
+  int texels = 0;                     // along a side of the atlas of the mesh; 0: there is none
   std::string name;                   // in messages
   std::string normal_map_entry = {};  // the first entry that asks for a normal map; empty: none
 };
@@ -69,7 +70,7 @@ BakeOptions read_bake_options(const JsonReader& reader);
 /// The presence of the key `plan` selects a lossy plan.
 PlanOptions read_plan_options(const JsonReader& reader);
 
-/// Rounds a part to single precision in the frame, welds and splits it, and adds backs to two-sided faces. Messages
+/// Rounds a part to single precision in the frame, welds and splits it, adds backs to two-sided faces and texels. Messages
 /// about flaws and errors begin with its name.
 Mesh finish_mesh(MeshPart part, const Frame& frame, OnFlaw on_flaw);
 

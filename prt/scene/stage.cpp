@@ -70,7 +70,7 @@ std::shared_ptr<const Transfer> read_once(const std::string& file, TransferKinds
 }
 
 StageObject read_object(const JsonReader& reader, const std::string& folder, Transfers& transfers) {
-  reader.allow({"transfer", "volume", "position", "rotate", "move", "proxy", "light_at"});
+  reader.allow({"transfer", "volume", "position", "rotate", "move", "proxy", "light_at", "light_from"});
   StageObject object;
   object.name = reader.at("transfer").text();
   object.motion = read_motion(reader);
@@ -80,6 +80,10 @@ StageObject read_object(const JsonReader& reader, const std::string& folder, Tra
   object.transfer = read_once(object.file, transfer_kinds(), transfers.surfaces);
   if (object.per_vertex && object.transfer->shape.channels != 1) {
     light_at->expected("`center` for transfer with bounces, which needs one light for the whole object");
+  }
+  if (const auto from = reader.find("light_from")) {
+    object.from_scene = from->one_of({"sky", "scene"}) == "scene";
+    if (object.from_scene && object.per_vertex) from->expected("`sky` beside `light_at` vertices");
   }
   if (const auto volume = reader.find("volume")) {
     object.volume = read_once(beside(folder, volume->text()), volume_kinds(), transfers.volumes);

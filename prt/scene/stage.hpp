@@ -48,6 +48,9 @@ struct StageObject {
   /// The space around the object, in its axes: it blocks the light of other objects in place of the proxy. Null: none.
   std::shared_ptr<const Transfer> volume;
   bool per_vertex = false;  // true: light is gathered at every vertex; false: once, at the proxy's center
+  /// True: the light at the proxy's center is what the lit surfaces of the other objects and the sky around them send there,
+  /// sampled for every frame. False: it is the distant light, less what the others block.
+  bool from_scene = false;
 };
 
 struct Stage {

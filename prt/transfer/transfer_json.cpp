@@ -334,6 +334,40 @@ std::vector<NormalMaps::Head> map_heads_from(const nlohmann::json& json) {
   return heads;
 }
 
+Json to_json(const std::vector<Pictures::Head>& heads) {
+  Json json = Json::array();
+  for (const Pictures::Head& head : heads) json.push_back({{"name", head.name}, {"bytes", head.bytes}});
+  return json;
+}
+
+// No picture has more than 1 TiB, so that no sum of their bytes overflows.
+std::vector<Pictures::Head> picture_heads_from(const nlohmann::json& json) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 40U;
+  std::vector<Pictures::Head> heads;
+  for (const nlohmann::json& head : json) {
+    heads.push_back({head.at("name").get<std::string>(), whole_from<std::size_t>(head.at("bytes"), 0, kMostBytes)});
+  }
+  return heads;
+}
+
+Json to_json(const std::vector<Atlases::Head>& heads) {
+  Json json = Json::array();
+  for (const Atlases::Head& head : heads) {
+    json.push_back({{"width", head.width}, {"height", head.height}, {"first", head.first}, {"texels", head.count}});
+  }
+  return json;
+}
+
+std::vector<Atlases::Head> atlas_heads_from(const nlohmann::json& json) {
+  std::vector<Atlases::Head> heads;
+  for (const nlohmann::json& head : json) {
+    heads.push_back({whole_from<int>(head.at("width"), 1, kMostTexelsAlong),
+                     whole_from<int>(head.at("height"), 1, kMostTexelsAlong),
+                     whole_from<std::uint32_t>(head.at("first")), whole_from<std::uint32_t>(head.at("texels"))});
+  }
+  return heads;
+}
+
 void put_shortfall(const Shortfall& missing, Json& header) {
   if (!missing.any()) return;
   header["complete"] = false;  // coarser than was asked for
@@ -403,6 +437,8 @@ std::string transfer_header(const Transfer& transfer) {
   if (!transfer.clusters.empty()) header["storage"]["error"] = transfer.clusters.error;
   if (!transfer.mesh.brdfs.heads.empty()) header["brdfs"] = to_json(transfer.mesh.brdfs.heads);
   if (!transfer.mesh.normal_maps.heads.empty()) header["normal_maps"] = to_json(transfer.mesh.normal_maps.heads);
+  if (!transfer.mesh.albedo_maps.heads.empty()) header["albedo_maps"] = to_json(transfer.mesh.albedo_maps.heads);
+  if (!transfer.mesh.atlases.heads.empty()) header["atlases"] = to_json(transfer.mesh.atlases.heads);
   if (!transfer.plan.decisions.empty()) header["plan"] = to_json(transfer.plan);
   return header.dump(2, ' ', false, Json::error_handler_t::replace);  // names of files may be no UTF-8
 }
@@ -429,6 +465,8 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
   }
   if (header.contains("brdfs")) transfer.mesh.brdfs.heads = heads_from(header.at("brdfs"));
   if (header.contains("normal_maps")) transfer.mesh.normal_maps.heads = map_heads_from(header.at("normal_maps"));
+  if (header.contains("albedo_maps")) transfer.mesh.albedo_maps.heads = picture_heads_from(header.at("albedo_maps"));
+  if (header.contains("atlases")) transfer.mesh.atlases.heads = atlas_heads_from(header.at("atlases"));
   if (header.contains("plan")) transfer.plan = plan_from(header.at("plan"));
   transfer.directions = whole_from<std::uint32_t>(header.at("directions"));
   if (header.contains("sampler")) {  // absent where no ray was traced, and in files older than the choice

@@ -77,7 +77,7 @@ struct Kind {
   Rows rows;
   Presence presence;
 };
-inline constexpr std::array<Kind, 23> kSections = {
+inline constexpr std::array<Kind, 29> kSections = {
     {{"position", kFloat, 3, Rows::kReceivers, Presence::kAlways},
      {"normal", kFloat, 3, Rows::kReceivers, Presence::kAlways},
      {"geonorm", kFloat, 3, Rows::kReceivers, Presence::kAlways},
@@ -95,6 +95,12 @@ inline constexpr std::array<Kind, 23> kSections = {
      {"texture", kFloat, 2, Rows::kReceivers, Presence::kOptional},
      {"normmap", kSmall, 1, Rows::kReceivers, Presence::kOptional},
      {"normtex", kHalf, 3, Rows::kOther, Presence::kOptional},
+     {"albmap", kSmall, 1, Rows::kReceivers, Presence::kOptional},
+     {"tint", kFloat, 3, Rows::kReceivers, Presence::kOptional},
+     {"albpic", kByte, 1, Rows::kOther, Presence::kOptional},
+     {"chart", kFloat, 2, Rows::kReceivers, Presence::kOptional},
+     {"atlas", kSmall, 1, Rows::kReceivers, Presence::kOptional},
+     {"texel", kIndex, 1, Rows::kOther, Presence::kOptional},
      {"indirect", kHalf, 0, Rows::kStored, Presence::kAlways},
      {"cluster", kSmall, 1, Rows::kReceivers, Presence::kAlways},
      {"weight", kByte, 0, Rows::kReceivers, Presence::kAlways},
@@ -161,6 +167,12 @@ void each_section(AnyTransfer& transfer, AnyEncoded& encoded, AnyEncoded& indire
   visit(transfer.mesh.texture);
   visit(transfer.mesh.normal_map);
   visit(transfer.mesh.normal_maps.texels);
+  visit(transfer.mesh.albedo_map);
+  visit(transfer.mesh.tint);
+  visit(transfer.mesh.albedo_maps.bytes);
+  visit(transfer.mesh.chart);
+  visit(transfer.mesh.atlas);
+  visit(transfer.mesh.atlases.pixels);
   visit(indirect.data);
   visit(transfer.clusters.cluster);
   visit(transfer.clusters.weights);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "prt/arrays.hpp"
 
@@ -63,6 +64,46 @@ std::string flaw_of(const Clusters& clusters) {
   return {};
 }
 
+std::string flaw_of_pictures(const Mesh& mesh) {
+  const Pictures& pictures = mesh.albedo_maps;
+  if (pictures.bytes.size() != pictures.byte_count() || mesh.albedo_map.empty() != pictures.heads.empty() ||
+      mesh.tint.size() != mesh.albedo_map.size() ||
+      !all(mesh.albedo_map, [&](std::uint16_t number) { return number <= pictures.heads.size(); })) {
+    return "it names a picture of the albedo that is not there";
+  }
+  return all(mesh.tint, is_reflectance) ? "" : "a tint is not from 0 to 1";
+}
+
+// Texels are vertices, and rise in their atlas.
+std::string flaw_of_atlases(const Mesh& mesh) {
+  const Atlases& atlases = mesh.atlases;
+  std::size_t entry = 0;
+  for (const Atlases::Head& head : atlases.heads) {
+    const std::size_t size = static_cast<std::size_t>(head.width) * static_cast<std::size_t>(head.height);
+    const std::size_t last = std::size_t{head.first} + head.count;
+    if (last > mesh.positions.size() || entry + head.count > atlases.pixels.size()) {
+      return "an atlas names texels that are not there";
+    }
+    const auto first = atlases.pixels.begin() + static_cast<std::ptrdiff_t>(entry);
+    const auto end = first + head.count;
+    if (!std::is_sorted(first, end, std::less_equal<>()) || (head.count > 0 && *(end - 1) >= size)) {
+      return "the texels of an atlas are not in order, or beyond its size";
+    }
+    entry += head.count;
+  }
+  if (entry != atlases.pixels.size() || mesh.chart.size() != mesh.atlas.size() ||
+      mesh.atlas.empty() != atlases.heads.empty() || !all(mesh.atlas, [&](std::uint16_t number) {
+        return number <= atlases.heads.size() && (number == 0 || atlases.heads[number - std::size_t{1}].count > 0);
+      })) {
+    return "it names an atlas that is not there";
+  }
+  const auto is_within = [](const Eigen::Vector2f& place) {
+    constexpr float kRounding = 1e-4F;
+    return place.allFinite() && place.minCoeff() >= -kRounding && place.maxCoeff() <= 1.0F + kRounding;
+  };
+  return all(mesh.chart, is_within) ? "" : "a place in an atlas is not from 0 to 1";
+}
+
 }  // namespace
 
 std::string flaw_of_values(const Transfer& transfer) {
@@ -92,7 +133,7 @@ std::string flaw_of_values(const Transfer& transfer) {
   }
   const NormalMaps& maps = mesh.normal_maps;
   if (maps.texels.size() != 3 * maps.texel_count() || mesh.normal_map.empty() != maps.heads.empty() ||
-      mesh.texture.size() != mesh.normal_map.size() ||
+      mesh.texture.size() != std::max(mesh.normal_map.size(), mesh.albedo_map.size()) ||
       !all(mesh.normal_map, [&](std::uint16_t number) { return number <= maps.heads.size(); })) {
     return "it names a normal map that is not there";
   }
@@ -102,6 +143,8 @@ std::string flaw_of_values(const Transfer& transfer) {
   if (!all(maps.texels, [](Eigen::half value) { return std::abs(static_cast<float>(value)) <= 1.0F; })) {
     return "a texel of a normal map is not from -1 to 1";
   }
+  if (std::string flaw = flaw_of_pictures(mesh); !flaw.empty()) return flaw;
+  if (std::string flaw = flaw_of_atlases(mesh); !flaw.empty()) return flaw;
   if (!all_finite(transfer.rows()) || !all_finite(transfer.matrices()) || !all(transfer.emitted, is_finite)) {
     return "a transfer coefficient is not finite";
   }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -49,7 +50,9 @@ void check_lengths(const Transfer& transfer) {
       (!mesh.specular.empty() && mesh.specular.size() != vertices) || mesh.exponent.size() != mesh.specular.size() ||
       (!mesh.brdf.empty() && mesh.brdf.size() != vertices) ||
       (!mesh.normal_map.empty() && mesh.normal_map.size() != vertices) ||
-      mesh.texture.size() != mesh.normal_map.size()) {
+      (!mesh.albedo_map.empty() && mesh.albedo_map.size() != vertices) || mesh.tint.size() != mesh.albedo_map.size() ||
+      mesh.texture.size() != std::max(mesh.normal_map.size(), mesh.albedo_map.size()) ||
+      (!mesh.atlas.empty() && mesh.atlas.size() != vertices) || mesh.chart.size() != mesh.atlas.size()) {
     throw std::invalid_argument("transfer: its arrays differ in length, expected one entry a receiver in each");
   }
 }

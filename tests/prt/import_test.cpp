@@ -143,7 +143,7 @@ TEST_F(Import, WarnsOfColorsThatItDoesNotRead) {
     EXPECT_EQ(refusal(name, text), "");
     return testing::internal::GetCapturedStderr();
   };
-  write_all(folder_.file("a.mtl"), "newmtl paint\nKd 1 1 1\nmap_Kd wood.png\nnewmtl plain\nKd 1 0 0\n");
+  write_all(folder_.file("a.mtl"), "newmtl paint\nKd 1 1 1\nmap_Ks wood.png\nnewmtl plain\nKd 1 0 0\n");
   const std::string obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl ";
   EXPECT_EQ(warning("a.obj", obj + "paint\nf 1 2 3\n"),
             "warning: " + folder_.file("a.obj") + ": 1 of its materials have textures (not read)\n");

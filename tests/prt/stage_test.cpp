@@ -52,6 +52,45 @@ TEST(Stage, OneObjectAtRestHasTheBitsOfThePlainRelight) {
   }
 }
 
+// A plate that faces down over a shining floor.
+TEST(Stage, TakesTheLightOfTheSceneThatOthersSend) {
+  Mesh floor = plate(4.0F);
+  floor.emission.assign(floor.positions.size(), {1.0F, 0.5F, 0.0F});
+  paint(floor, {0.5F, 0.5F, 0.5F});
+  Stage stage;
+  add(stage, floor, 4, Eigen::Vector3d::Zero());
+  Mesh sheet = primitive_mesh(
+      "plane", 24,
+      Eigen::Affine3f(Eigen::AngleAxisf(std::numbers::pi_v<float>, Eigen::Vector3f::UnitX()) * Eigen::Scaling(0.1F)));
+  paint(sheet, {1.0F, 1.0F, 1.0F});
+  StageObject& object = add(stage, sheet, 4, Eigen::Vector3d(0.0, 0.0, 1.0));
+  object.motion.keys.push_back({1.0, Eigen::Vector3d(0.0, 0.0, 100.0), 90.0});
+  object.from_scene = true;
+  stage.objects[0].proxy.radius = 0.0;
+  object.proxy.radius = 0.0;
+  const auto shown = [&](double time, float sky) {
+    const std::vector<Light> lights =
+        load_lights({{.type = LightType::kConstant, .radiance = Eigen::Vector3f::Constant(sky)}}, OnFlaw::kRefuse);
+    const StageLighting lighting(
+        stage, [&](int degree) { return project(lights, degree); }, {}, lights);
+    return lighting.radiance(poses_at(stage, time), Eigen::Matrix3d::Identity()).back();
+  };
+  // Form factor from a point to a parallel square of half-width 2 at distance 1, four corners of 2 x 2
+  // [Howell, configuration factor B-4].
+  const double a = 2.0 / std::sqrt(5.0);
+  const double factor = 4.0 / std::numbers::pi * a * std::atan(a);
+  const Eigen::Vector3f near = shown(0.0, 0.0F);
+  EXPECT_NEAR(near.x(), factor, 0.02) << "bands above 4, pixels";
+  EXPECT_NEAR(near.y(), 0.5 * factor, 0.01);
+  EXPECT_NEAR(near.z(), 0.0, 1e-6);
+  EXPECT_NEAR(shown(1.0, 0.0F).x(), 0.0, 0.01) << "far above";
+  // Under a sky of 1 the floor sends 0.5 besides, and the sky shows around it.
+  const float open = shown(1.0, 1.0F).z();
+  EXPECT_NEAR(open, 1.0F, 0.01F);
+  EXPECT_NEAR(shown(0.0, 1.0F).z(), 1.0 - factor + 0.5 * factor, 0.02);
+  EXPECT_NEAR(shown(0.0, 1.0F).x(), 1.0 - factor + 1.5 * factor, 0.03);
+}
+
 TEST(Stage, KeepsTheLightOfTheSurfacesThemselvesHoweverItMovesAndMirrors) {
   Mesh mesh = primitive_mesh("torus", 12);
   mesh.emission.assign(mesh.positions.size(), {0.5F, 1.0F, 2.0F});

@@ -7,6 +7,7 @@ import { plus } from './vectors.js';
 import { greyOf, Picture } from './picture.js';
 import { Balls } from './ball.js';
 import { fileOf, Subject } from './subject.js';
+import { withPictures } from './surfaces.js';
 import { Lighting } from './lighting.js';
 import { lightOfFile } from './light_file.js';
 import { accentColor, element, lobeOf, showChosen, showComparison, showTheme, showTime, tell } from './overlay.js';
@@ -26,7 +27,7 @@ class Viewer {
   async start() {
     const { data, gl } = this;
     const files = [];
-    for (const file of data.files) files.push(fileOf(file, await bytesOf(file), data.kernels));
+    for (const file of data.files) files.push(await withPictures(fileOf(file, await bytesOf(file), data.kernels)));
     this.subjects = data.subjects.map((subject, number) => new Subject(gl, subject, files, number));
     this.picture = new Picture(gl, data.shaders);
     this.balls = new Balls(gl, data.shaders, data.kernels);

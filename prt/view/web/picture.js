@@ -1,6 +1,7 @@
 // Draws relit meshes, and measures the exposure as `prt render` does.
 import { programOf } from './relight.js';
 import { minus } from './vectors.js';
+import { surfacesOf } from './surfaces.js';
 
 const kTones = ['neutral', 'reinhard', 'linear'];
 
@@ -41,6 +42,7 @@ export class DrawnMesh {
     this.point(0, relighter.buffers.position);
     this.point(1, relighter.radiance);
     this.point(2, relighter.radiance);
+    this.surfaces = surfacesOf(gl, this);
   }
 
   giveFaces(arrays) {
@@ -92,6 +94,7 @@ export class Picture {
       mesh.relighter.use(program, mesh.relighter.arrays);
       return program;
     }
+    if (mode !== 1 && mesh.surfaces) return mesh.surfaces.use(this.shaders);
     mesh.relighter.refresh();
     gl.useProgram(this.program);
     gl.bindVertexArray(mesh.arrays);
@@ -118,7 +121,7 @@ export class Picture {
     for (const [side, offset] of [[gl.FRONT, 1], [gl.BACK, 0]]) {
       gl.cullFace(side);
       gl.polygonOffset(offset, offset);
-      gl.drawElements(gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0);
+      mode !== 1 && mesh.surfaces ? mesh.surfaces.draw() : gl.drawElements(gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0);
     }
     gl.disable(gl.POLYGON_OFFSET_FILL);
     gl.disable(gl.CULL_FACE);

@@ -23,11 +23,11 @@ export function fileOf(given, bytes, kernels) {
 }
 
 // Rows in single precision, with all columns, that the page writes itself.
-function bakedForRows({ transfer, runtime }, shaders) {
+function bakedForRows({ transfer, runtime, pictures }, shaders) {
   const storage = { element: 'single', kept: [], clusters: 0, vectors: 0, storedChannels: 1, storedLength: transfer.shape.count };
   const { scale, cluster, weight, ...sections } = transfer.sections;
   sections.transfer = new Float32Array(transfer.vertices * transfer.shape.count);
-  return bakedOf({ ...transfer, shape: { ...transfer.shape, ...storage }, sections }, { ...runtime, shaders });
+  return { ...bakedOf({ ...transfer, shape: { ...transfer.shape, ...storage }, sections }, { ...runtime, shaders }), pictures };
 }
 
 class StagedObject {

@@ -29,6 +29,8 @@ const kSections = [
   ['mirror', kFloat, 3, 'vertices', true], ['specular', kFloat, 3, 'vertices', true],
   ['exponent', kFloat, 1, 'vertices', true], ['brdf', kSmall, 1, 'vertices', true], ['brdfrow', kFloat, 66, 'other', true],
   ['texture', kFloat, 2, 'vertices', true], ['normmap', kSmall, 1, 'vertices', true], ['normtex', kHalf, 3, 'other', true],
+  ['albmap', kSmall, 1, 'vertices', true], ['tint', kFloat, 3, 'vertices', true], ['albpic', kByte, 1, 'other', true],
+  ['chart', kFloat, 2, 'vertices', true], ['atlas', kSmall, 1, 'vertices', true], ['texel', kIndex, 1, 'other', true],
   ['indirect', kHalf, 0, 'stored'], ['cluster', kSmall, 1, 'vertices'], ['weight', kByte, 0, 'vertices'],
   ['icluster', kSmall, 1, 'vertices'], ['iweight', kByte, 0, 'vertices'],
 ].map(([name, type, columns, rows, optional = false]) => ({
@@ -263,7 +265,8 @@ class Reader {
     }
     entry(header, 'instruction_set', 'string');
     return { header, scene, kind: letters, isGlossy: !kind.cosine, shape, indirect, frame, sections: {},
-             brdfs: header.brdfs ?? [], normalMaps: header.normal_maps ?? [] };
+             brdfs: header.brdfs ?? [], normalMaps: header.normal_maps ?? [],
+             albedoMaps: header.albedo_maps ?? [], atlases: header.atlases ?? [] };
   }
 
   shapeFor(section) { return section.isOfIndirect ? this.transfer.indirect : this.transfer.shape; }
@@ -362,7 +365,7 @@ function everyVector(values, test) {
 }
 
 // What no bake writes; empty if there is nothing. As prt/transfer/transfer_values.cpp.
-function flawOfValues({ sections, vertices, shape, indirect, brdfs, normalMaps }) {
+function flawOfValues({ sections, vertices, shape, indirect, brdfs, normalMaps, albedoMaps, atlases }) {
   const finite = (values) => values.every(Number.isFinite);
   const isUnit = (x, y, z) => Math.abs(Math.hypot(x, y, z) - 1) <= 1e-3;
   const isPart = (x) => x >= 0 && x <= 1;
@@ -386,16 +389,45 @@ function flawOfValues({ sections, vertices, shape, indirect, brdfs, normalMaps }
   if (!brdfrow.every((value) => Math.abs(value) <= 1000)) return 'a coefficient of a BRDF is not from -1000 to 1000';
   const texels = normalMaps.reduce((sum, map) => sum + map.width * map.height, 0);
   if (normtex.length !== 3 * texels || (normmap.length === 0) !== (normalMaps.length === 0) ||
-      texture.length !== 2 * normmap.length || !normmap.every((number) => number <= normalMaps.length)) {
+      texture.length !== 2 * Math.max(normmap.length, sections.albmap?.length ?? 0) || !normmap.every((number) => number <= normalMaps.length)) {
     return 'it names a normal map that is not there';
   }
   if (!finite(texture)) return 'a texture coordinate is not finite';
+  const flaw = flawOfPictures(sections, albedoMaps, isPart) || flawOfAtlases(sections, atlases, vertices);
+  if (flaw) return flaw;
   if (!normtex.every((bits) => (bits & 0x7FFF) <= 0x3C00)) return 'a texel of a normal map is not from -1 to 1';
   const isFinite = (numbers = []) => numbers.every(numbers instanceof Uint16Array ? isFiniteHalf : Number.isFinite);
   if (!isFinite(sections.transfer) || !isFinite(sections.indirect) || !finite(emitted)) {
     return 'a transfer coefficient is not finite';
   }
   return flawOfClusters(shape, cluster, weight) || (indirect ? flawOfClusters(indirect, icluster, iweight) : '');
+}
+
+function flawOfPictures({ albmap = [], tint = [], albpic = [] }, pictures, isPart) {
+  const bytes = pictures.reduce((sum, picture) => sum + picture.bytes, 0);
+  if (albpic.length !== bytes || (albmap.length === 0) !== (pictures.length === 0) || tint.length !== 3 * albmap.length ||
+      !albmap.every((number) => number <= pictures.length)) {
+    return 'it names a picture of the albedo that is not there';
+  }
+  return tint.every(isPart) ? '' : 'a tint is not from 0 to 1';
+}
+
+// Texels are vertices, and rise in their atlas.
+function flawOfAtlases({ chart = [], atlas = [], texel = [] }, atlases, vertices) {
+  let entry = 0;
+  for (const { width, height, first, texels } of atlases) {
+    if (first + texels > vertices || entry + texels > texel.length) return 'an atlas names texels that are not there';
+    const own = texel.slice(entry, entry + texels);
+    if (!own.every((pixel, i) => pixel < width * height && (i === 0 || pixel > own[i - 1]))) {
+      return 'the texels of an atlas are not in order, or beyond its size';
+    }
+    entry += texels;
+  }
+  if (entry !== texel.length || chart.length !== 2 * atlas.length || (atlas.length === 0) !== (atlases.length === 0) ||
+      !atlas.every((number) => number <= atlases.length && (number === 0 || atlases[number - 1].texels > 0))) {
+    return 'it names an atlas that is not there';
+  }
+  return chart.every((x) => x >= -1e-4 && x <= 1 + 1e-4) ? '' : 'a place in an atlas is not from 0 to 1';
 }
 
 function flawOfClusters(shape, cluster = [], weight = []) {

@@ -1,0 +1,355 @@
+// Texels of an atlas as receivers: where they lie, what is refused, that they are what vertices at the same places are, and
+// how light is read between them.
+#include "prt/mesh/atlas.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+#include <set>
+
+#include "prt/rays/receivers_at.hpp"
+#include "prt/runtime/glossy.hpp"
+#include "prt/runtime/lightmap.hpp"
+#include "prt/runtime/relight.hpp"
+#include "prt/transfer/transfer_file.hpp"
+#include "tests/prt/lights.hpp"
+#include "tests/prt/little_scene.hpp"
+#include "tests/prt/temporary_folder.hpp"
+#include "tests/prt/transfer_bytes.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+// One triangle in z = 0 whose places in the atlas are its x and y, or their mirror image.
+Mesh triangle(const std::array<Eigen::Vector2f, 3>& corners, bool mirrored = false) {
+  Mesh mesh;
+  for (const Eigen::Vector2f& at : corners) {
+    mesh.positions.emplace_back(at.x(), at.y(), 0.0F);
+    mesh.normals.emplace_back(Eigen::Vector3f::UnitZ());
+    mesh.albedo.emplace_back(0.5F, 0.25F, 0.75F);
+    mesh.chart.emplace_back(mirrored ? 1.0F - at.x() : at.x(), at.y());
+  }
+  mesh.faces = {{0, 1, 2}};
+  set_geometric_normals(mesh);
+  return mesh;
+}
+
+Mesh square_with_texels(int size, bool mirrored = false) {
+  Soup soup = make_primitive("plane");
+  soup.chart = soup.texture;
+  for (Eigen::Vector2f& at : soup.chart) at.x() = mirrored ? 1.0F - at.x() : at.x();
+  Mesh mesh = weld(soup);
+  add_atlas(mesh, mesh.faces.size(), size, "square");
+  return mesh;
+}
+
+// Above a square of so many texels, off its middle.
+Mesh with_box_above(Mesh mesh) {
+  append(mesh, primitive_mesh("box", 24, Eigen::Translation3f(0.1F, -0.05F, 0.2F) * Eigen::Scaling(0.2F)));
+  return mesh;
+}
+
+TEST(Atlas, HasATexelForEveryPixelThatAFaceTouches) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
+  for (int trial = 0; trial < 200; ++trial) {
+    const int size = 1 + trial % 13;
+    std::array<Eigen::Vector2f, 3> corners;
+    for (Eigen::Vector2f& corner : corners) corner = {uniform(random), uniform(random)};
+    Mesh mesh = triangle(corners);
+    const std::vector<std::uint32_t> faces = add_atlas(mesh, 1, size, "t");
+    EXPECT_EQ(faces, std::vector<std::uint32_t>(mesh.atlases.heads[0].count, 0));
+    const std::set<std::uint32_t> pixels(mesh.atlases.pixels.begin(), mesh.atlases.pixels.end());
+    ASSERT_EQ(pixels.size(), mesh.atlases.pixels.size());
+    for (int sample = 0; sample < 500; ++sample) {
+      float u = uniform(random);
+      float v = uniform(random);
+      if (u + v > 1.0F) std::tie(u, v) = std::pair(1.0F - u, 1.0F - v);
+      const Eigen::Vector2f at = corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]);
+      const int column = std::min(static_cast<int>(at.x() * static_cast<float>(size)), size - 1);
+      const int row = std::min(static_cast<int>((1.0F - at.y()) * static_cast<float>(size)), size - 1);
+      ASSERT_TRUE(pixels.count(static_cast<std::uint32_t>(row * size + column)) == 1) << at.transpose() << " " << size;
+    }
+  }
+}
+
+TEST(Atlas, LaysTexelsOnTheirFaceInsideOfTheirPixel) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
+  for (int trial = 0; trial < 200; ++trial) {
+    const int size = 1 + trial % 17;
+    std::array<Eigen::Vector2f, 3> corners;
+    for (Eigen::Vector2f& corner : corners) corner = {uniform(random), uniform(random)};
+    Mesh mesh = triangle(corners);
+    add_atlas(mesh, 1, size, "t");
+    const Atlases::Head& atlas = mesh.atlases.heads[0];
+    for (std::uint32_t i = 0; i < atlas.count; ++i) {
+      const Eigen::Vector3f& place = mesh.positions[atlas.first + i];
+      const Eigen::Vector2f center = center_of_pixel(atlas, mesh.atlases.pixels[i]);
+      EXPECT_EQ(center, mesh.chart[atlas.first + i]);
+      const float from_center = (place.head<2>() - center).cwiseAbs().maxCoeff() * static_cast<float>(size);
+      EXPECT_LE(from_center, 0.5F + 1e-3F);
+      EXPECT_EQ(place.z(), 0.0F);
+      EXPECT_NEAR(mesh.atlases.reach[i], 0.5F / static_cast<float>(size), 1e-4F / static_cast<float>(size));
+    }
+  }
+}
+
+TEST(Atlas, IsTheSameForMirroredCoordinates) {
+  // In 64ths, whose mirror image is exact.
+  const std::array<Eigen::Vector2f, 3> corners = {
+      Eigen::Vector2f(0.109375F, 0.203125F), {0.890625F, 0.15625F}, {0.40625F, 0.796875F}};
+  Mesh mesh = triangle(corners);
+  Mesh mirrored = triangle(corners, true);
+  add_atlas(mesh, 1, 8, "t");
+  add_atlas(mirrored, 1, 8, "t");
+  ASSERT_EQ(mesh.positions.size(), mirrored.positions.size());
+  for (std::size_t i = 0; i < mesh.atlases.pixels.size(); ++i) {
+    const std::uint32_t other = mesh.atlases.pixels[i] / 8 * 8 + 7 - mesh.atlases.pixels[i] % 8;
+    const auto found = std::find(mirrored.atlases.pixels.begin(), mirrored.atlases.pixels.end(), other);
+    ASSERT_NE(found, mirrored.atlases.pixels.end());
+    const auto k = static_cast<std::size_t>(found - mirrored.atlases.pixels.begin());
+    EXPECT_LT((mesh.positions[3 + i] - mirrored.positions[3 + k]).norm(), 1e-6F);
+    EXPECT_EQ(mirrored.geometric_normals[3 + k], Eigen::Vector3f::UnitZ());
+  }
+}
+
+TEST(Atlas, RefusesCoordinatesThatAreNoChart) {
+  const auto said = [](Mesh mesh, std::size_t faces = 1) {
+    return message_of([&] { add_atlas(mesh, faces, 8, "a.gltf"); });
+  };
+  const std::array<Eigen::Vector2f, 3> corners = {Eigen::Vector2f(0.1F, 0.2F), {0.9F, 0.15F}, {0.4F, 0.8F}};
+  Mesh mesh = triangle(corners);
+  mesh.chart[1].x() = 1.5F;
+  EXPECT_EQ(said(mesh),
+            "a.gltf: texels need texture coordinates from 0 to 1, got 1.5 0.15; expected a second set that covers each "
+            "place of the surface once");
+  mesh.chart[1].x() = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_NE(said(mesh).find("a face has none"), std::string::npos);
+  mesh.chart.clear();
+  EXPECT_NE(said(mesh).find("the mesh has none"), std::string::npos);
+  Mesh twice = triangle(corners);
+  append(twice, triangle(corners));
+  EXPECT_NE(said(twice, 2).find("its texture coordinates overlap: faces 0 and 1 cover "), std::string::npos);
+  Mesh flat = triangle(corners);
+  flat.chart.assign(3, Eigen::Vector2f(0.5F, 0.5F));
+  EXPECT_NE(said(flat).find("cover no texel of 8 x 8"), std::string::npos);
+}
+
+TEST(Atlas, OfFacesThatMeetAtAnEdgeThroughCentersIsNoOverlap) {
+  const Mesh mesh = square_with_texels(9);  // the diagonal runs through nine centers
+  EXPECT_EQ(mesh.atlases.heads[0].count, 81U);
+  EXPECT_EQ(mesh.positions.size(), 4U + 81U);
+}
+
+TEST(Atlas, OfOneTexelStandsForTheWholeSurface) {
+  const Mesh mesh = square_with_texels(1);
+  ASSERT_EQ(mesh.atlases.heads[0].count, 1U);
+  const SurfaceReceivers receivers(mesh);
+  for (const auto& [u, v] : {std::pair(0.0F, 0.0F), {1.0F, 0.0F}, {0.0F, 1.0F}, {0.2F, 0.3F}}) {
+    const ReceiversAt place = receivers.at({0, u, v, 1.0F});
+    for (std::size_t k = 0; k < place.count; ++k) EXPECT_EQ(place.receiver[k], 4U);
+    EXPECT_NEAR(place.part[0] + place.part[1] + place.part[2] + place.part[3], 1.0F, 1e-6F);
+  }
+}
+
+TEST(Atlas, InterpolatesALinearFunctionExactlyBetweenTexels) {
+  const Mesh mesh = square_with_texels(16);
+  const SurfaceReceivers receivers(mesh);
+  const auto function = [](const Eigen::Vector3f& p) {
+    return Eigen::Vector3f(1.0F + p.x(), 2.0F * p.y(), p.x() - p.y());
+  };
+  std::vector<Eigen::Vector3f> values;
+  for (const Eigen::Vector3f& p : mesh.positions) values.push_back(function(p));
+  for (std::uint32_t f = 0; f < 2; ++f) {
+    for (const auto& [u, v] : {std::pair(0.2F, 0.3F), {0.5F, 0.25F}, {0.1F, 0.8F}, {1.0F / 3.0F, 1.0F / 3.0F}}) {
+      const Hit hit{f, u, v, 1.0F};
+      EXPECT_LT((receivers.at(hit).mean(values) - function(interpolated(hit, mesh, mesh.positions))).norm(), 2e-3F);
+    }
+  }
+}
+
+// A lattice of vertices at the centers of the texels, over the same square.
+TEST(Atlas, TexelsSeeWhatVerticesAtTheirPlacesSee) {
+  constexpr int kSize = 8;
+  const Mesh texels = with_box_above(square_with_texels(kSize));
+  Mesh vertices = primitive_mesh("plane");
+  const auto first = static_cast<std::uint32_t>(vertices.positions.size());
+  const Atlases::Head& atlas = texels.atlases.heads[0];
+  for (std::uint32_t i = 0; i < atlas.count; ++i) {  // each with a little face of its own, as wide as a texel
+    const auto v = static_cast<std::uint32_t>(vertices.positions.size());
+    for (const Eigen::Vector3f& more : {Eigen::Vector3f(0, 0, 0), {0.06F, 0, 0}, {0, 0.06F, 0}}) {
+      vertices.positions.emplace_back(texels.positions[atlas.first + i] + more);
+      vertices.normals.emplace_back(Eigen::Vector3f::UnitZ());
+      vertices.albedo.emplace_back(texels.albedo[atlas.first + i]);
+    }
+    vertices.faces.push_back({v, v + 1, v + 2});
+  }
+  set_geometric_normals(vertices);
+  for (const TransferKind* kind : {&kUnshadowed, &kShadowed, &kGlossyShadowed}) {
+    const Transfer a = baked(texels, kind, 2048);
+    const Transfer b = baked(with_box_above(vertices), kind, 2048);
+    double difference = 0.0;
+    double squares = 0.0;
+    for (std::uint32_t i = 0; i < atlas.count; ++i) {
+      for (std::size_t k = 0; k < a.shape.length(); ++k) {
+        const auto own = static_cast<double>(a.row(atlas.first + i)[k]);
+        difference += std::pow(own - static_cast<double>(b.row(first + 3 * i)[k]), 2);
+        squares += own * own;
+      }
+    }
+    EXPECT_LT(std::sqrt(difference / squares), 2e-3) << kind->letters;
+  }
+}
+
+TEST(Atlas, OfAnOpenSquareIsUnshadowedToTheBit) {
+  const Transfer open = baked(square_with_texels(5), &kShadowed, 256);
+  const Transfer closed_form = baked(square_with_texels(5), &kUnshadowed, 256);
+  EXPECT_EQ(open.coefficients, closed_form.coefficients);
+}
+
+TEST(Atlas, BouncesReadLightFromTexels) {
+  // Two big faces under a box: with texels the box's underside sees the dark ground below it, with corners it does not.
+  Mesh coarse = with_box_above(primitive_mesh("plane"));
+  Mesh fine = primitive_mesh("plane");
+  refine(fine, 0.04F);
+  fine = with_box_above(fine);
+  Mesh texels = with_box_above(square_with_texels(40));
+  const auto under_box = [](Mesh& mesh) {
+    paint(mesh, {0.8F, 0.8F, 0.8F});
+    const Transfer transfer = baked(mesh, &kInterreflected, 2048, 1);
+    double sum = 0.0;
+    for (std::size_t v = mesh.positions.size() - 24; v < mesh.positions.size(); ++v) {
+      if (mesh.normals[v].z() < -0.9F) sum += static_cast<double>(transfer.row(v)[0]);
+    }
+    return sum;
+  };
+  const double with_texels = under_box(texels);
+  const double with_vertices = under_box(fine);
+  EXPECT_NEAR(with_texels / with_vertices, 1.0, 0.02);
+  EXPECT_GT(std::abs(under_box(coarse) / with_vertices - 1.0), 0.05);
+}
+
+TEST(Atlas, CoveredTexelsTakeTheLightOfTheirNeighbors) {
+  Mesh mesh = square_with_texels(20);
+  append(mesh, primitive_mesh("box", 24, Eigen::Translation3f(0.0F, 0.0F, 0.151F) * Eigen::Scaling(0.3F)));
+  const Transfer transfer = baked(mesh, &kShadowed, 512);
+  const Atlases::Head& atlas = mesh.atlases.heads[0];
+  for (std::uint32_t i = 0; i < atlas.count; ++i) EXPECT_GT(transfer.row(atlas.first + i)[0], 0.05F) << i;
+}
+
+class AtlasFile : public testing::Test {
+ protected:
+  static Transfer textured() {
+    Mesh mesh = square_with_texels(4);
+    mesh.albedo_map.assign(mesh.positions.size(), 1);
+    mesh.tint.assign(mesh.positions.size(), Eigen::Vector3f(0.5F, 0.25F, 1.0F));
+    mesh.texture.assign(mesh.positions.size(), Eigen::Vector2f(0.5F, 0.5F));
+    mesh.albedo_maps.number_of({"a.png", "not a picture, of seven and more bytes"});
+    return baked(mesh, &kShadowed, 64);
+  }
+  std::string refusal(const std::string& bytes) {
+    write_all(folder_.file("t"), with_checksums(bytes));
+    return message_of([&] { read_transfer(folder_.file("t")); });
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(AtlasFile, IsReadAsItWasWritten) {
+  const Transfer made = textured();
+  write_transfer(folder_.file("t"), made);
+  const Transfer read = read_transfer(folder_.file("t"));
+  EXPECT_EQ(read.mesh.chart, made.mesh.chart);
+  EXPECT_EQ(read.mesh.atlas, made.mesh.atlas);
+  EXPECT_EQ(read.mesh.atlases.pixels, made.mesh.atlases.pixels);
+  ASSERT_EQ(read.mesh.atlases.heads.size(), 1U);
+  EXPECT_EQ(read.mesh.atlases.heads[0].first, 4U);
+  EXPECT_EQ(read.mesh.atlases.heads[0].count, 16U);
+  EXPECT_EQ(read.mesh.tint, made.mesh.tint);
+  EXPECT_EQ(read.mesh.albedo_map, made.mesh.albedo_map);
+  EXPECT_EQ(read.mesh.albedo_maps.at(0), made.mesh.albedo_maps.at(0));
+  EXPECT_EQ(read.coefficients, made.coefficients);
+}
+
+TEST_F(AtlasFile, WithHostileValuesIsRefused) {
+  write_transfer(folder_.file("t"), textured());
+  const std::string bytes = read_all(folder_.file("t"));
+  const auto with = [&](std::string_view section, std::size_t offset, auto value) {
+    std::string changed = bytes;
+    std::memcpy(&changed[place_of(bytes, section) + offset], &value, sizeof value);
+    return refusal(changed);
+  };
+  EXPECT_EQ(refusal(bytes), "");
+  const std::pair<std::string, std::string> flaws[] = {
+      {with("texel", 60, 16U), "the texels of an atlas are not in order, or beyond its size"},
+      {with("texel", 4, 0U), "the texels of an atlas are not in order, or beyond its size"},
+      {with("atlas", 0, std::uint16_t{2}), "it names an atlas that is not there"},
+      {with("chart", 0, 1.5F), "a place in an atlas is not from 0 to 1"},
+      {with("chart", 0, std::numeric_limits<float>::quiet_NaN()), "a place in an atlas is not from 0 to 1"},
+      {with("tint", 0, 2.0F), "a tint is not from 0 to 1"},
+      {with("albmap", 0, std::uint16_t{2}), "it names a picture of the albedo that is not there"},
+      {with("texture", 0, std::numeric_limits<float>::infinity()), "a texture coordinate is not finite"}};
+  for (const auto& [said, expected] : flaws)
+    EXPECT_NE(said.find(expected), std::string::npos) << said << "; " << expected;
+  for (const auto& [from, to, expected] :
+       {std::tuple<std::string, std::string, std::string>(R"("first": 4)", R"("first": 9)",
+                                                          "names texels that are not"),
+        {R"("texels": 16)", R"("texels": 17)", "names texels that are not there"},
+        {R"("texels": 16)", R"("texels": 15)", "it names an atlas that is not there"},
+        {R"("bytes": 38)", R"("bytes": 37)", "it names a picture of the albedo that is not there"},
+        {R"("width": 4)", R"("width": 3)", "not in order, or beyond its size"},
+        {R"("width": 4)", R"("width": 0)", "expected a whole number from 1"}}) {
+    std::string changed = bytes;
+    const std::size_t place = changed.find(from);
+    ASSERT_NE(place, std::string::npos) << from;
+    changed.replace(place, from.size(), to);
+    const std::string said = refusal(changed);
+    EXPECT_NE(said.find(expected), std::string::npos) << said << "; " << expected;
+  }
+}
+
+TEST(Lightmap, HoldsTheIrradianceOfConstantLightInEveryDirection) {
+  const Transfer transfer = baked(square_with_texels(3), &kGlossyUnshadowed, 64);
+  const auto e = directional_irradiance(transfer, TransferredRadiance(transfer, constant_light(2)));
+  for (std::size_t v = 0; v < transfer.mesh.positions.size(); ++v) {
+    EXPECT_NEAR(e[0][v].x(), std::numbers::pi_v<float>, 1e-5F);
+    for (std::size_t k = 1; k < 4; ++k) EXPECT_NEAR(e[k][v].norm(), 0.0F, 1e-5F);
+  }
+}
+
+TEST(Lightmap, OfABlackSurfaceIsZeroAndFinite) {
+  Mesh mesh = square_with_texels(3);
+  paint(mesh, {0.0F, 0.5F, 1.0F});
+  const Transfer transfer = baked(mesh, &kShadowed, 64);
+  const auto irradiance = irradiance_of(transfer, relight(transfer, constant_light(2)));
+  for (const Eigen::Vector3f& e : irradiance) {
+    EXPECT_EQ(e.x(), 0.0F);
+    EXPECT_NEAR(e.y(), std::numbers::pi_v<float>, 1e-4F);
+    EXPECT_NEAR(e.z(), std::numbers::pi_v<float>, 1e-4F);
+  }
+}
+
+// A cylinder's side goes once around: u = 0 and u = 1 are one edge.
+Seams seams_of_cylinder(int size) {
+  Soup soup = make_primitive("sphere", 48);
+  soup.chart = soup.texture;
+  Mesh mesh = weld(soup);
+  add_atlas(mesh, mesh.faces.size(), size, "sphere");
+  const Transfer transfer = baked(mesh, &kUnshadowed, 64);
+  return measure_seams(mesh, SurfaceReceivers(mesh), relight(transfer, random_light(2, 5)));
+}
+
+TEST(Lightmap, SeamsCloseWithTheSizeOfTexels) {
+  const Seams coarse = seams_of_cylinder(32);
+  const Seams fine = seams_of_cylinder(128);
+  EXPECT_GT(coarse.edges, 10U);
+  EXPECT_EQ(coarse.edges, fine.edges);
+  EXPECT_GT(coarse.difference, 0.0);
+  EXPECT_LT(fine.difference, 0.4 * coarse.difference);
+  EXPECT_LT(fine.difference, 0.05 * fine.value);
+  EXPECT_EQ(measure_seams(square_with_texels(4), SurfaceReceivers(square_with_texels(4)), {}).edges, 0U);
+}
+
+}  // namespace
+}  // namespace sh::prt::test

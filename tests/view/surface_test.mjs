@@ -1,0 +1,72 @@
+// Diffuse surfaces whose receivers are texels, or that have textures: pictures beside `prt render`.
+import assert from 'node:assert';
+import fs from 'node:fs';
+import { test } from 'node:test';
+import { inFolder, prt, set, withPage, writeJson } from './browser.mjs';
+import { canvasPicture, pictureOf, rootMeanSquare } from './pictures.mjs';
+
+const kModel = '/usr/share/assimp/models/glTF2/BoxTextured-glTF/BoxTextured.gltf';
+const kLimit = 0.016;  // seen: 0.0131, at the edges, and where a texture is finer than a pixel
+const kWidth = 480, kHeight = 240;
+const kSize = { width: kWidth + 312, height: kHeight };
+const kSky = [{ type: 'cie_sky', sky: 12, sun: { elevation: 40, azimuth: -60 }, radiance: [0.5, 0.7, 1] }];
+const kCamera = { position: [0.5, -5, 2.5], target: [0, 0, 0], field_of_view: 36 };
+
+// A textured box over a floor of two triangles with an atlas, a ball with another one, and a shining plate without any.
+function scene(name, { texels = 48, bake = {} } = {}) {
+  return writeJson(name, {
+    name: 'surfaces',
+    meshes: [
+      { file: kModel, emission: [0.1, 0.05, 0], max_edge: 0.2, transform: { rotate: { degrees: 30 }, translate: [0, 0, 0.1] } },
+      { primitive: 'plane', albedo: [0.6, 0.5, 0.4], texels, transform: { scale: 4, translate: [0, 0, -0.5] } },
+      { primitive: 'sphere', albedo: [0.3, 0.5, 0.7], texels: 24, transform: { scale: 0.8, translate: [1.3, -0.3, -0.05] } },
+      { primitive: 'plane', emission: [0.4, 0.3, 0.1], max_edge: 0.3, transform: { scale: 0.6, translate: [-1.3, -0.3, -0.45] } },
+    ],
+    lights: kSky, camera: kCamera, bake: { degree: 3, directions: 256, ...bake },
+  });
+}
+
+async function compare(name) {
+  const shown = await withPage(`${name}.html`, async (page) => {
+    await set(page, { exposure: 0.5 });
+    return { picture: await canvasPicture(page), rendered: await pictureOf(page, inFolder(`${name}.png`)) };
+  }, kSize);
+  const difference = rootMeanSquare(shown.picture, shown.rendered);
+  console.log(`  ${name}: rms ${difference.toFixed(4)}`);
+  assert.ok(difference < kLimit, `${name}: rms ${difference}`);
+  return shown.picture;
+}
+
+function baked(name, words, options) {
+  scene(`${name}.json`, options);
+  prt('bake', `${name}.json`, '-o', `${name}.transfer`, '--no-checkpoint', ...words);
+  prt('render', `${name}.transfer`, '--scene', `${name}.json`, '-o', `${name}.png`, '--width', kWidth, '--height', kHeight, '--fixed-exposure', 0.5, '--background', 'grey', '--samples', 16);
+  prt('view', `${name}.transfer`, '--scene', `${name}.json`, '-o', `${name}.html`);
+}
+
+test('Textures and texels show as prt render shows them, for every diffuse kind', async (context) => {
+  if (!fs.existsSync(kModel)) return context.skip('no test models of assimp');
+  for (const kind of ['unshadowed', 'shadowed', 'interreflected']) {
+    baked(kind, ['--kind', kind], {});
+    await compare(kind);
+  }
+  baked('clustered', ['--kind', 'interreflected', '--compress', 8, 4], { texels: 70 });  // receivers in a second row
+  await compare('clustered');
+  const fine = await compare('shadowed');
+  baked('one', ['--kind', 'shadowed'], { texels: 1 });
+  const coarse = await compare('one');
+  assert.ok(rootMeanSquare(fine, coarse) > 2 * kLimit, 'the texels are seen');
+});
+
+test('An object of a stage keeps its texels and its texture where it moves', async (context) => {
+  if (!fs.existsSync(kModel)) return context.skip('no test models of assimp');
+  scene('staged.json');
+  prt('bake', 'staged.json', '-o', 'staged.transfer', '--no-checkpoint', '--kind', 'shadowed');
+  for (const lightAt of ['center', 'vertices']) {
+    const name = `stage_${lightAt}`;
+    writeJson(`${name}.json`, { objects: [{ transfer: 'staged.transfer', position: [0.1, 0, -0.1], rotate: { degrees: 20 }, light_at: lightAt }], lights: kSky, camera: kCamera });
+    prt('render', `${name}.json`, '-o', `${name}.png`, '--width', kWidth, '--height', kHeight, '--fixed-exposure', 0.5, '--background', 'grey', '--samples', 16);
+    prt('view', `${name}.json`, '-o', `${name}.html`);
+    await compare(name);
+  }
+});
