@@ -101,7 +101,10 @@ void check(const BakeJob& job) {
 Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan& plan, BakeReport& report) {
   BakeRun run(scene, settings, plan.open);
   try {
-    for (const BakeStep& step : scene.bake.kind->steps) step.run(run);
+    for (const BakeStep& step : scene.bake.kind->steps) {
+      step.run(run);
+      if (run.rays && !settings.checkpoint.shard.is_whole()) break;  // the parts of the others are needed to go on
+    }
   } catch (const output::Interrupted&) {
     if (!run.checkpoint) throw;
     throw output::Interrupted(run.checkpoint->interrupted());
@@ -271,6 +274,8 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
   on_threads(job.settings.threads, [&] {
     transfer = by_channel ? run_by_channel(job, measured) : run_steps(job.scene, job.settings, *job.plan, measured);
   });
+  if (report != nullptr) *report = measured;
+  if (!job.settings.checkpoint.shard.is_whole()) return {};  // the checkpoint is the result
   take_plan(*job.plan, transfer);
   if (wanted.kind->stores_visibility()) keep_bands(wanted.keep, transfer);
   if (wanted.compress.clusters > 0 || !job.plan->clusters.empty()) {
@@ -282,8 +287,28 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
     }
   }
   transfer.missing = shortfall(wanted, transfer);
-  if (report != nullptr) *report = measured;
   return transfer;
+}
+
+void bake_shard(BakeJob job, BakeReport* report, const BakeObserver& say) {
+  const Shard& shard = job.settings.checkpoint.shard;
+  const Scene& scene = job.scene;
+  if (shard.is_whole() || shard.count > kMostShards || shard.index >= shard.count) {
+    throw std::invalid_argument(
+        fmt::format("shard {} of {}: expected one of 2 to {}", shard.index + 1, shard.count, kMostShards));
+  }
+  if (!scene.bake.kind->traces_rays()) {
+    throw std::invalid_argument(
+        fmt::format("{}: {} traces no rays, which shards share; expected another kind, or no shard", scene.name,
+                    scene.bake.kind->word));
+  }
+  if (has_colored_mirrors(scene.mesh)) {
+    throw std::invalid_argument(fmt::format(
+        "{}: its mirrors have colors, for which the channels are baked one after another; expected gray mirrors, or no "
+        "shard",
+        scene.name));
+  }
+  bake(std::move(job), report, say);
 }
 
 Transfer bake_to_file(const std::string& file, BakeJob job, BakeReport* report, const BakeObserver& say) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "numeric/output/stopwatch.hpp"
 #include "prt/mesh/fit_lobes.hpp"
@@ -18,11 +19,28 @@
 
 namespace sh::prt {
 
+/// A part of the rays of a bake, of as many as there are processes: every `count`-th chunk of receivers, from `index` on.
+/// Neighbors cost about the same, so that all parts do.
+struct Shard {
+  std::uint32_t index = 0;  // 0..count-1
+  std::uint32_t count = 1;
+  [[nodiscard]] bool is_whole() const { return count == 1; }
+  [[nodiscard]] bool has(std::size_t chunk) const { return chunk % count == index; }
+};
+
+/// The most shards of a bake.
+inline constexpr std::uint32_t kMostShards = 65536;
+
 /// The file in which a stopped bake leaves its results, so that it can continue from there.
 struct CheckpointSettings {
   std::string path;      // empty: none
   bool restart = false;  // delete an existing checkpoint
   double seconds = 2.0;  // the most work that is lost when the process is killed; a shorter bake writes nothing
+  /// Not whole: the bake ends when the checkpoint holds this part, in which the words of `command` stand beside the results:
+  /// those of a command line that bakes the whole.
+  Shard shard = {};
+  std::vector<std::string> command = {};
+  std::vector<std::string> parts = {};  // the checkpoints of all shards, from which the bake goes on
 };
 
 struct BakeSettings {
@@ -71,6 +89,10 @@ BakeJob planned(BakeJob job);
 /// or if the checkpoint belongs to another bake or cannot be written. A bake that continues from a checkpoint traces
 /// fewer rays and gives the same bytes; the checkpoint file stays.
 Transfer bake(BakeJob job, BakeReport* report = nullptr, const BakeObserver& say = {});
+
+/// Traces the rays of the shard that the job's settings name into their checkpoint, which then is complete. Throws like
+/// bake(), and std::invalid_argument for a kind that traces no rays, colored mirrors, and a shard out of range.
+void bake_shard(BakeJob job, BakeReport* report = nullptr, const BakeObserver& say = {});
 
 /// Bakes into a transfer file, then deletes the checkpoint.
 Transfer bake_to_file(const std::string& file, BakeJob job, BakeReport* report = nullptr, const BakeObserver& say = {});

@@ -1,14 +1,19 @@
 #include "prt/bake/checkpoint.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
 #include <utility>
 
+#include "numeric/output/parse_json.hpp"
 #include "prt/transfer/checksum.hpp"
 
 namespace sh::prt {
@@ -118,7 +123,66 @@ bool decode_chunk(std::string_view data, const VertexRange& range, ShadowResult&
   return true;
 }
 
+// The index of the record of a shard, which no chunk has.
+constexpr std::uint32_t kShardRecord = 0xFFFFFFFFU;
+
+std::string to_json(const CheckpointSettings& settings) {
+  const nlohmann::ordered_json json = {
+      {"shard", settings.shard.index + 1}, {"shards", settings.shard.count}, {"command", settings.command}};
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+[[noreturn]] void refuse_part(const std::string& file) {
+  throw std::runtime_error(fmt::format("{}: no part of a bake; expected a file that `prt bake --shard` made", file));
+}
+
+ShardRecord record_from(const std::string& file, std::string_view data) {
+  try {
+    const auto json = output::parse_json<nlohmann::ordered_json>(std::string(data));
+    const auto index = json.at("shard").get<std::uint32_t>();
+    const auto count = json.at("shards").get<std::uint32_t>();
+    if (index >= 1 && index <= count && count >= 2 && count <= kMostShards) {
+      return {{index - 1, count}, json.at("command").get<std::vector<std::string>>()};
+    }
+  } catch (const std::exception&) {  // of the wrong type, or none
+  }
+  throw std::runtime_error(fmt::format("{}: damaged: the record of its shard cannot be read", file));
+}
+
+// A file holds one shard.
+void require_same(const CheckpointSettings& settings, const Shard& found) {
+  if (settings.shard.index == found.index && settings.shard.count == found.count) return;
+  throw std::runtime_error(fmt::format("{}: holds shard {}/{}; expected another output for shard {}/{}, or --restart",
+                                       settings.path, found.index + 1, found.count, settings.shard.index + 1,
+                                       settings.shard.count));
+}
+
 }  // namespace
+
+std::string shell_line(const std::vector<std::string>& words) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,:=+@%-";
+  std::string line;
+  for (const std::string& word : words) {
+    if (!line.empty()) line += ' ';
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
+      line += word;
+      continue;
+    }
+    line += '\'';
+    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
+ShardRecord shard_of_part(const std::string& file) {
+  std::optional<ShardRecord> found;
+  CheckpointFile::of_any_bake(file).read([&](std::uint32_t chunk, std::string_view data) {
+    if (chunk == kShardRecord) found = record_from(file, data);
+  });
+  if (!found) refuse_part(file);
+  return *found;
+}
 
 std::string bake_key(const Scene& scene, const std::string& instruction_set, const std::vector<std::uint8_t>& open,
                      const std::string& points) {
@@ -141,20 +205,80 @@ std::string bake_key(const Scene& scene, const std::string& instruction_set, con
 
 Checkpoint::Checkpoint(const CheckpointSettings& settings, const std::string& key, ShadowResult& result)
     : result_(result),
+      shard_(settings.shard),
       restored_(chunk_count(result.sight.size()), 0),
       interval_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(settings.seconds))) {
+  if (!settings.parts.empty()) {
+    load_parts(settings.parts, key);
+    return;
+  }
+  bool is_named = false;
   if (!settings.path.empty()) {
     file_.emplace(settings.path, key, settings.restart);
     file_->read([&](std::uint32_t chunk, std::string_view data) {
-      if (chunk < restored_.size() && restored_[chunk] == 0 &&
-          decode_chunk(data, chunk_range(chunk, result.sight.size()), result)) {
-        restored_[chunk] = 1;
-        ++written_;
+      if (chunk == kShardRecord && !shard_.is_whole()) {
+        is_named = true;
+        require_same(settings, record_from(settings.path, data).shard);
       }
+      written_ += load(chunk, data) ? 1 : 0;
     });
   }
   if (written_ > 0) fmt::print(stderr, "going on from {}: {} of {} parts\n", file_->path(), written_, restored_.size());
+  if (file_ && !shard_.is_whole() && !is_named) file_->append(kShardRecord, to_json(settings));
   last_write_ = Clock::now();
+}
+
+bool Checkpoint::load(std::uint32_t chunk, std::string_view data) {
+  if (chunk >= restored_.size() || restored_[chunk] != 0 ||
+      !decode_chunk(data, chunk_range(chunk, result_.sight.size()), result_)) {
+    return false;
+  }
+  restored_[chunk] = 1;
+  return true;
+}
+
+void Checkpoint::load_parts(const std::vector<std::string>& parts, const std::string& key) {
+  std::map<std::uint32_t, ShardRecord> known;  // by the index of the shard
+  std::map<std::uint32_t, std::string> files;
+  for (const std::string& part : parts) {
+    std::optional<ShardRecord> record;
+    CheckpointFile::for_reading(part, key).read([&](std::uint32_t chunk, std::string_view data) {
+      if (chunk == kShardRecord) {
+        record = record_from(part, data);
+      } else {
+        load(chunk, data);
+      }
+    });
+    if (!record) refuse_part(part);
+    const Shard& shard = record->shard;
+    if (!known.empty() && known.begin()->second.shard.count != shard.count) {
+      throw std::runtime_error(fmt::format("{}: shard {} of {}, but {} is one of {}; expected the parts of one bake",
+                                           part, shard.index + 1, shard.count, files.begin()->second,
+                                           known.begin()->second.shard.count));
+    }
+    if (const auto twice = files.find(shard.index); twice != files.end()) {
+      throw std::runtime_error(fmt::format("{}: shard {} of {}, as {} is; expected each once", part, shard.index + 1,
+                                           shard.count, twice->second));
+    }
+    known[shard.index] = *record;
+    files[shard.index] = part;
+  }
+  const std::uint32_t count = known.begin()->second.shard.count;
+  std::set<std::uint32_t> missing;
+  for (std::size_t chunk = 0; chunk < restored_.size(); ++chunk) {
+    if (restored_[chunk] == 0) missing.insert(static_cast<std::uint32_t>(chunk % count));
+  }
+  if (missing.empty()) return;
+  const std::uint32_t first = *missing.begin();
+  const std::string file = files.count(first) != 0 ? shell_line({files[first]}) : std::string("FILE");
+  std::vector<std::string> names;
+  for (const std::uint32_t index : missing) names.push_back(fmt::format("{}/{}", index + 1, count));
+  throw std::runtime_error(fmt::format(
+      "{} of {} chunks of vertices are missing, those of {} {}; expected complete parts of all shards: run `prt {} "
+      "--shard "
+      "{} -o {}`",
+      std::count(restored_.begin(), restored_.end(), 0), restored_.size(), names.size() == 1 ? "shard" : "the shards",
+      fmt::join(names, ", "), shell_line(known.begin()->second.command), names.front(), file));
 }
 
 void Checkpoint::finished(std::size_t chunk) {
@@ -169,7 +293,7 @@ void Checkpoint::finished(std::size_t chunk) {
 
 void Checkpoint::complete() {
   const std::lock_guard lock(writing_);
-  if (file_ && (written_ > 0 || is_due())) write_pending();
+  if (file_ && (written_ > 0 || is_due() || !shard_.is_whole())) write_pending();
   pending_.clear();  // the next steps change the results in place
 }
 

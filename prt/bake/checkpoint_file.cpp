@@ -89,6 +89,44 @@ CheckpointFile::CheckpointFile(std::string path, const std::string& key, bool re
   }
 }
 
+CheckpointFile::CheckpointFile(CheckpointFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      front_(std::move(other.front_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      size_(other.size_),
+      end_(other.end_),
+      is_read_only_(other.is_read_only_) {}
+
+CheckpointFile CheckpointFile::of_any_bake(std::string path) {
+  constexpr const char* kNone = "no part of a bake; expected a file that `prt bake --shard` made";
+  CheckpointFile file(std::move(path));
+  file.descriptor_ = open(file.path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file.descriptor_ < 0) file.fail(fmt::format("cannot open: {}", std::strerror(errno)));
+  struct stat status = {};
+  fstat(file.descriptor_, &status);
+  if (!S_ISREG(status.st_mode)) file.fail(kNone);
+  if (flock(file.descriptor_, LOCK_SH | LOCK_NB) != 0) file.fail("in use by another bake; wait for it");
+  file.size_ = static_cast<std::uint64_t>(status.st_size);
+  Prologue prologue;
+  const std::string start = file.fetch(0, std::min<std::uint64_t>(file.size_, sizeof prologue));
+  if (!start.starts_with(std::string_view(kMagic.data(), kMagic.size()))) file.fail(kNone);
+  std::memcpy(&prologue, start.data(), start.size());
+  file.end_ = sizeof prologue + prologue.key_size;
+  if (file.end_ > file.size_) file.fail("damaged: it ends within its key");
+  file.front_ = file.fetch(0, file.end_);
+  if (prologue.version == kVersion && checksum_of(prologue, file.front_.substr(sizeof prologue)) != prologue.checksum) {
+    file.fail("damaged: the checksum of its key differs");
+  }
+  return file;
+}
+
+CheckpointFile CheckpointFile::for_reading(std::string path, const std::string& key) {
+  CheckpointFile file = of_any_bake(std::move(path));
+  const std::string wanted = front_of(key);
+  if (std::exchange(file.front_, wanted) != wanted) file.refuse_key();
+  return file;
+}
+
 CheckpointFile::~CheckpointFile() {
   if (descriptor_ >= 0) close(descriptor_);
 }
@@ -120,7 +158,9 @@ void CheckpointFile::refuse_key() const {
   if (size_ < sizeof prologue) fail("damaged checkpoint: too short; --restart throws it away");
   std::memcpy(&prologue, fetch(0, sizeof prologue).data(), sizeof prologue);
   if (prologue.version != kVersion) {
-    fail(fmt::format("checkpoint of version {}, expected {}; --restart deletes it", prologue.version, kVersion));
+    fail(is_read_only_
+             ? fmt::format("part of version {}, expected {}; bake it again", prologue.version, kVersion)
+             : fmt::format("checkpoint of version {}, expected {}; --restart deletes it", prologue.version, kVersion));
   }
   const std::string key = fetch(sizeof prologue, std::min<std::uint64_t>(size_ - sizeof prologue, prologue.key_size));
   if (checksum_of(prologue, key) != prologue.checksum) {
@@ -132,6 +172,7 @@ void CheckpointFile::refuse_key() const {
   } catch (const std::runtime_error& error) {
     fail(fmt::format("damaged checkpoint: its key is {}; --restart throws it away", error.what()));
   }
+  if (is_read_only_) fail(fmt::format("part of another bake: {}; expected the parts of one bake", what));
   fail(
       fmt::format("checkpoint of another bake: {}; finish that one, give another --checkpoint, or delete it with "
                   "--restart",
@@ -160,7 +201,7 @@ void CheckpointFile::read(const std::function<void(std::uint32_t, std::string_vi
     end_ += sizeof head + head.size;
     if (checksum(data.data(), data.size()) == head.data_checksum) take(head.index, data);
   }
-  if (end_ < size_ && ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) {
+  if (end_ < size_ && !is_read_only_ && ftruncate(descriptor_, static_cast<off_t>(end_)) != 0) {
     fail(fmt::format("cannot write: {}", std::strerror(errno)));
   }
 }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace sh::prt {
 
@@ -16,7 +17,13 @@ class CheckpointFile {
   /// with one line, and changes nothing, if the file is no checkpoint, has another key (the line names the entry that
   /// differs) or is in use by another process.
   CheckpointFile(std::string path, const std::string& key, bool restart);
+  /// Opens an existing file for reading alone, beside other readers. Throws as above, also if there is none.
+  static CheckpointFile for_reading(std::string path, const std::string& key);
+  /// The same whatever its key.
+  static CheckpointFile of_any_bake(std::string path);
   ~CheckpointFile();  // the file stays
+  CheckpointFile(CheckpointFile&& other) noexcept;
+  CheckpointFile& operator=(CheckpointFile&&) = delete;
   CheckpointFile(const CheckpointFile&) = delete;
   CheckpointFile& operator=(const CheckpointFile&) = delete;
 
@@ -31,6 +38,7 @@ class CheckpointFile {
   [[nodiscard]] bool exists() const { return descriptor_ >= 0; }
 
  private:
+  explicit CheckpointFile(std::string path) : path_(std::move(path)), is_read_only_(true) {}
   void open_existing(bool restart);
   [[noreturn]] void refuse_key() const;
   void create();
@@ -44,6 +52,7 @@ class CheckpointFile {
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
   std::uint64_t end_ = 0;  // where the next record goes
+  bool is_read_only_ = false;
 };
 
 }  // namespace sh::prt

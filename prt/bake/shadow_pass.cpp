@@ -23,7 +23,7 @@ double ShadowPass::run(Checkpoint& checkpoint) {
   tbb::enumerable_thread_specific<Worker> workers([this] { return Worker(setup_); });
   for_chunks(vertices, [&](std::size_t chunk) {
     const VertexRange range = chunk_range(chunk, vertices);
-    if (!checkpoint.has(chunk)) {
+    if (checkpoint.wants(chunk)) {
       for (std::size_t v = range.first; v < range.last; ++v) trace(v, workers.local());
       checkpoint.finished(chunk);
     }

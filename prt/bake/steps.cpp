@@ -148,7 +148,8 @@ void take_unshadowed(BakeRun& run) {
 void trace_shadows(BakeRun& run) {
   begin_tracing(run);
   const double cut = ShadowPass(*run.rays, run.open, *run.found).run(*run.checkpoint);
-  if (cut > kNoticedCut) {  // mirrors that face each other and lose little
+  if (!run.settings.checkpoint.shard.is_whole()) return;  // the other vertices are not traced
+  if (cut > kNoticedCut) {                                // mirrors that face each other and lose little
     report(run, fmt::format("paths were cut after {} mirrors: up to {:.2g} of the light of a vertex is left out",
                             MirrorPaths::kMostMirrors, cut));
   }

@@ -2,13 +2,17 @@
 // `prt plan SCENE`: the work that a bake can leave out, its savings and its error.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <filesystem>
 
 #include "numeric/output/atomic_file.hpp"
 #include "prt/bake/bake.hpp"
+#include "prt/bake/checkpoint.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/commands/medium_commands.hpp"
+#include "prt/commands/scene_options.hpp"
 #include "prt/plan/plan.hpp"
 #include "prt/runtime/fixed_view.hpp"
 #include "prt/runtime/glossy.hpp"
@@ -16,27 +20,6 @@
 
 namespace sh::prt {
 namespace {
-
-/// A scene, and options that replace entries of its `bake` and `plan`.
-struct SceneOptions {
-  std::string scene;
-  std::optional<int> degree;
-  std::optional<int> directions;
-  std::string sampler;
-  std::optional<std::uint32_t> seed;
-  std::string kind;
-  std::vector<std::uint32_t> compress;  // clusters, vectors; empty: the scene's
-  bool compress_auto = false;
-  bool fit_lobes = false;
-  std::string plan;  // none, exact, lossy; empty: the scene's
-  std::optional<double> error;
-  std::string turns;
-  std::vector<std::string> without;
-  int threads = 0;
-
-  void add_to(CLI::App& command);
-  void apply_to(Scene& loaded) const;
-};
 
 struct BakeCommand : SceneOptions {
   std::string output;
@@ -47,70 +30,46 @@ struct BakeCommand : SceneOptions {
   CheckpointOptions checkpoint;
   bool only_estimate = false;
   std::optional<double> budget_seconds;
+  std::string shard;                 // I/N; empty: the whole bake
+  std::vector<std::string> parts;    // of all shards
+  std::vector<std::string> command;  // the words of a command line that bakes the whole, without -o
 };
 
 struct PlanCommand : SceneOptions {
   bool json = false;
 };
 
-void SceneOptions::add_to(CLI::App& command) {
-  const auto words = [](const auto& names) {
-    return CLI::IsMember(std::vector<std::string>(std::begin(names), std::end(names)));
-  };
-  command
-      .add_option(
-          "SCENE", scene,
-          "a scene's JSON file, `demo`, the embedded scene, or a mesh file alone (.gltf, .obj, ...), which gets a "
-          "ground and the overcast sky")
-      ->required();
-  command.add_option("--degree", degree, "SH degree, 0 to 10, instead of the scene's");
-  command.add_option("--directions", directions, "directions over the whole sphere, instead of the scene's");
-  command.add_option("--sampler", sampler, "method that chooses the directions, instead of the scene's")
-      ->check(words(kSamplerNames));
-  command.add_option("--seed", seed, "seed of all samplers except fibonacci, instead of the scene's")
-      ->check(CLI::Range(0, kMaxSeed));
-  command.add_option("--kind", kind, "kind of transfer, instead of the scene's")
-      ->check(words(kind_names(&TransferKind::word)));
-  command
-      .add_option("--compress", compress,
-                  "CLUSTERS VECTORS: store rows as clusters (prt/README.md), instead of the scene's; 0 0: as they are")
-      ->default_str("")
-      ->expected(2);
-  command
-      .add_flag("--compress-auto", compress_auto,
-                "a plan with an error stores rows as clusters and chooses their counts, instead of the scene's")
-      ->excludes("--compress");
-  command.add_flag("--fit-lobes", fit_lobes,
-                   "glossy kinds: the nearest lobes in place of BRDFs, which cost less and say what they miss");
-  command.add_option("--plan", plan, "none: leave nothing out; exact: change no number; lossy: stay within the error")
-      ->check(words(kPlanModeNames));
-  command.add_option("--error", error, "error limit of a lossy plan, instead of the scene's");
-  command
-      .add_option("--light-turns", turns, "later rotations of the lights that the plan allows, instead of the scene's")
-      ->check(words(kLightTurnsNames));
-  command.add_option("--without", without, "decisions to skip")->default_str("")->delimiter(',');
-}
+struct MergeCommand {
+  std::vector<std::string> parts;
+  std::string output;
+  int threads = 0;
+};
 
-void SceneOptions::apply_to(Scene& loaded) const {
-  BakeOptions& bake = loaded.bake;
-  bake.degree = degree.value_or(bake.degree);
-  bake.directions = directions.value_or(bake.directions);
-  bake.sampler = value_called<Sampler>(sampler, kSamplerNames).value_or(bake.sampler);
-  bake.seed = seed.value_or(bake.seed);
-  if (!kind.empty()) bake.kind = find_kind(&TransferKind::word, kind);
-  if (!compress.empty()) bake.compress = {compress[0], compress[1]};
-  if (compress_auto) bake.compress = {};
-  if (!compress.empty() || compress_auto) bake.compress_by_plan = compress_auto;
-  bake.fit_lobes = bake.fit_lobes || fit_lobes;
-  require_degree(bake.degree);
-  PlanOptions& made = loaded.plan;
-  made.mode = value_called<PlanMode>(plan, kPlanModeNames).value_or(error ? PlanMode::kLossy : made.mode);
-  made.error = error.value_or(made.error);
-  made.turns = value_called<LightTurns>(turns, kLightTurnsNames).value_or(made.turns);
-  made.without.insert(made.without.end(), without.begin(), without.end());
+// I/N, from 1 on.
+Shard shard_named(const std::string& text) {
+  Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, shard.index);
+  const bool is_pair = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
+  const auto count = is_pair ? std::from_chars(index.ptr + 1, end, shard.count) : index;
+  if (!is_pair || count.ec != std::errc() || count.ptr != end || shard.count < 2 || shard.count > kMostShards ||
+      shard.index < 1 || shard.index > shard.count) {
+    throw std::invalid_argument(
+        fmt::format("--shard {}: expected I/N, with N from 2 to {} and I from 1 to N", text, kMostShards));
+  }
+  --shard.index;
+  return shard;
 }
 
 CheckpointSettings checkpoint_of(const BakeCommand& options) {
+  if (!options.shard.empty()) {
+    return {.path = options.output,
+            .restart = options.checkpoint.restart,
+            .seconds = options.checkpoint.seconds,
+            .shard = shard_named(options.shard),
+            .command = options.command};
+  }
+  if (!options.parts.empty()) return {.path = {}, .parts = options.parts};
   CheckpointOptions checkpoint = options.checkpoint;
   checkpoint.none = checkpoint.none || options.budget_seconds || options.only_estimate;
   return checkpoint.settings(options.output);
@@ -218,6 +177,7 @@ void require_medium_options(const BakeCommand& options, const std::string& name)
                                                 {!options.instruction_set.empty(), "--instruction-set"},
                                                 {!options.checkpoint.file.empty(), "--checkpoint"},
                                                 {options.checkpoint.restart, "--restart"},
+                                                {!options.shard.empty(), "--shard"},
                                                 {options.budget_seconds.has_value(), "--budget-seconds"}};
   for (const auto& [is_given, option] : given) {
     if (is_given) {
@@ -235,6 +195,13 @@ void run_medium_bake(const BakeCommand& options, Scene scene) {
   bake_medium_to_file(scene, memory, options.output);
 }
 
+void run_shard(const BakeCommand& options, BakeJob job, const Stopwatch& stopwatch) {
+  BakeReport report;
+  bake_shard(std::move(job), &report, [](const std::string& line) { fmt::print(stderr, "prt: {}\n", line); });
+  report_time(stopwatch,
+              fmt::format("traced {} rays of shard {}, into {}", report.rays, options.shard, options.output));
+}
+
 void run_bake(const BakeCommand& options) {
   const Stopwatch stopwatch;
   if (!options.only_estimate) require_output(options.output);
@@ -246,6 +213,7 @@ void run_bake(const BakeCommand& options) {
                               .checkpoint = checkpoint_of(options)};
   Scene scene = load_scene(options.scene, settings.on_flaw);
   output::require_no_input(options.output, scene.files);
+  output::require_no_input(options.output, options.parts);
   if (scene.medium) return run_medium_bake(options, std::move(scene));
   BakeJob job(std::move(scene), settings);
   output::require_no_input(settings.checkpoint.path, job.scene.files);
@@ -254,6 +222,7 @@ void run_bake(const BakeCommand& options) {
   if (options.only_estimate) return print_estimate(planned(std::move(job)));
   if (options.budget_seconds) job.budget = BakeBudget{*options.budget_seconds, stopwatch};
   BakeReport report;
+  if (!options.shard.empty()) return run_shard(options, std::move(job), stopwatch);
   const Transfer transfer = bake_to_file(options.output, std::move(job), &report,
                                          [](const std::string& line) { fmt::print(stderr, "prt: {}\n", line); });
   report_bake(transfer, report);
@@ -275,7 +244,40 @@ void run_plan(const PlanCommand& options) {
   report_time(stopwatch, "planned");
 }
 
+// Bakes with the options that the parts name.
+void run_merge(const MergeCommand& options) {
+  require_output(options.output);
+  const std::vector<std::string> words = shard_of_part(options.parts.front()).command;
+  const auto is_ours = [](const std::string& word) {
+    return word.starts_with("--output") || word.starts_with("-o") || word.starts_with("--vectors") ||
+           word.starts_with("--checkpoint") || word.starts_with("--parts") || word.starts_with("--shard");
+  };
+  if (words.size() < 2 || words.front() != "bake" || std::any_of(words.begin(), words.end(), is_ours)) {
+    throw std::runtime_error(
+        fmt::format("{}: damaged: its command is no bake of a whole scene", options.parts.front()));
+  }
+  std::vector<std::string> line(words.rbegin(), words.rend());  // the parser takes them from the end
+  const std::string threads = fmt::format("--threads={}", options.threads);
+  for (const std::string& word : {std::string("-o"), options.output, threads, std::string("--parts")}) {
+    line.insert(line.begin(), word);
+  }
+  for (const std::string& part : options.parts) line.insert(line.begin(), part);
+  CLI::App tool;
+  tool.option_defaults()->always_capture_default();
+  add_bake_command(tool);
+  tool.parse(std::move(line));
+}
+
 }  // namespace
+
+void add_merge_command(CLI::App& tool) {
+  auto options = std::make_shared<MergeCommand>();
+  CLI::App& command =
+      *tool.add_subcommand("merge", "make the transfer file of a bake from the parts that `prt bake --shard` made");
+  command.add_option("PARTS", options->parts, "the parts of all shards, in any order")->required();
+  command.add_option("-o,--output", options->output, "transfer file to write")->required();
+  run_with_threads<MergeCommand>(command, options, run_merge, "; the file does not depend on it");
+}
 
 void add_bake_command(CLI::App& tool) {
   auto options = std::make_shared<BakeCommand>();
@@ -293,18 +295,30 @@ void add_bake_command(CLI::App& tool) {
   command.add_option("--instruction-set", options->instruction_set,
                      "instruction set for rays: sse4.2, avx, avx2 or avx512; results are reproducible on each");
   command.add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");
+  CLI::Option* checkpoint = options->checkpoint.add_to(command);
+  CLI::Option* budget =
+      command
+          .add_option("--budget-seconds", options->budget_seconds,
+                      "finish in about this time, with fewer directions and a looser tolerance; the file states both")
+          ->check(CLI::Range(0.0, 1e9))
+          ->excludes(checkpoint);
+  CLI::Option* shard = command.add_option(
+      "--shard", options->shard, "I/N: trace the I-th of N parts of the rays into the output, for `prt merge`");
+  shard->excludes(budget)->excludes(checkpoint)->excludes("--no-checkpoint")->excludes("--estimate");
+  shard->excludes("--vectors");
   command
-      .add_option("--budget-seconds", options->budget_seconds,
-                  "finish in about this time, with fewer directions and a looser tolerance; the file states both")
-      ->check(CLI::Range(0.0, 1e9))
-      ->excludes(options->checkpoint.add_to(command));
-  run_with_threads<BakeCommand>(
-      command, options,
-      [](const BakeCommand& given) {
-        if (given.output.empty() && !given.only_estimate) throw CLI::RequiredError("--output");
-        run_bake(given);
-      },
-      "; the file does not depend on it");
+      .add_option("--parts", options->parts, "the parts of all shards, in place of tracing (`prt merge` gives them)")
+      ->default_str("")
+      ->excludes(shard)
+      ->excludes(budget)
+      ->excludes(checkpoint);
+  command.add_option("--threads", options->threads, "number of threads; 0: every core; the file does not depend on it");
+  command.callback([options, &command] {
+    if (options->output.empty() && !options->only_estimate) throw CLI::RequiredError("--output");
+    options->command =
+        words_without(command, {"--shard", "--output", "--threads", "--restart", "--checkpoint-seconds"});
+    with_threads(options->threads, [&] { run_bake(*options); });
+  });
 }
 
 void add_plan_command(CLI::App& tool) {

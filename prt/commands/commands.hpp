@@ -27,6 +27,8 @@ int run_tool(int argc, char** argv);
 
 /// Each function adds its subcommand to the tool; parsing the command line then runs it.
 void add_bake_command(CLI::App& tool);
+void add_merge_command(CLI::App& tool);
+void add_shards_command(CLI::App& tool);
 void add_volume_command(CLI::App& tool);
 void add_relight_command(CLI::App& tool);
 void add_render_command(CLI::App& tool);

@@ -23,7 +23,8 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
-    {"bake", sh::prt::add_bake_command},         {"volume", sh::prt::add_volume_command},
+    {"bake", sh::prt::add_bake_command},         {"merge", sh::prt::add_merge_command},
+    {"shards", sh::prt::add_shards_command},     {"volume", sh::prt::add_volume_command},
     {"relight", sh::prt::add_relight_command},   {"render", sh::prt::add_render_command},
     {"shader", sh::prt::add_shader_command},     {"fix-view", sh::prt::add_fix_view_command},
     {"info", sh::prt::add_info_command},         {"project", sh::prt::add_project_command},

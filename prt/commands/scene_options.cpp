@@ -1,0 +1,80 @@
+#include "prt/commands/scene_options.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "prt/plan/plan.hpp"
+
+namespace sh::prt {
+
+void SceneOptions::add_to(CLI::App& command) {
+  const auto words = [](const auto& names) {
+    return CLI::IsMember(std::vector<std::string>(std::begin(names), std::end(names)));
+  };
+  command
+      .add_option(
+          "SCENE", scene,
+          "a scene's JSON file, `demo`, the embedded scene, or a mesh file alone (.gltf, .obj, ...), which gets a "
+          "ground and the overcast sky")
+      ->required();
+  command.add_option("--degree", degree, "SH degree, 0 to 10, instead of the scene's");
+  command.add_option("--directions", directions, "directions over the whole sphere, instead of the scene's");
+  command.add_option("--sampler", sampler, "method that chooses the directions, instead of the scene's")
+      ->check(words(kSamplerNames));
+  command.add_option("--seed", seed, "seed of all samplers except fibonacci, instead of the scene's")
+      ->check(CLI::Range(0, kMaxSeed));
+  command.add_option("--kind", kind, "kind of transfer, instead of the scene's")
+      ->check(words(kind_names(&TransferKind::word)));
+  command
+      .add_option("--compress", compress,
+                  "CLUSTERS VECTORS: store rows as clusters (prt/README.md), instead of the scene's; 0 0: as they are")
+      ->default_str("")
+      ->expected(2);
+  command
+      .add_flag("--compress-auto", compress_auto,
+                "a plan with an error stores rows as clusters and chooses their counts, instead of the scene's")
+      ->excludes("--compress");
+  command.add_flag("--fit-lobes", fit_lobes,
+                   "glossy kinds: the nearest lobes in place of BRDFs, which cost less and say what they miss");
+  command.add_option("--plan", plan, "none: leave nothing out; exact: change no number; lossy: stay within the error")
+      ->check(words(kPlanModeNames));
+  command.add_option("--error", error, "error limit of a lossy plan, instead of the scene's");
+  command
+      .add_option("--light-turns", turns, "later rotations of the lights that the plan allows, instead of the scene's")
+      ->check(words(kLightTurnsNames));
+  command.add_option("--without", without, "decisions to skip")->default_str("")->delimiter(',');
+}
+
+void SceneOptions::apply_to(Scene& loaded) const {
+  BakeOptions& bake = loaded.bake;
+  bake.degree = degree.value_or(bake.degree);
+  bake.directions = directions.value_or(bake.directions);
+  bake.sampler = value_called<Sampler>(sampler, kSamplerNames).value_or(bake.sampler);
+  bake.seed = seed.value_or(bake.seed);
+  if (!kind.empty()) bake.kind = find_kind(&TransferKind::word, kind);
+  if (!compress.empty()) bake.compress = {compress[0], compress[1]};
+  if (compress_auto) bake.compress = {};
+  if (!compress.empty() || compress_auto) bake.compress_by_plan = compress_auto;
+  bake.fit_lobes = bake.fit_lobes || fit_lobes;
+  require_degree(bake.degree);
+  PlanOptions& made = loaded.plan;
+  made.mode = value_called<PlanMode>(plan, kPlanModeNames).value_or(error ? PlanMode::kLossy : made.mode);
+  made.error = error.value_or(made.error);
+  made.turns = value_called<LightTurns>(turns, kLightTurnsNames).value_or(made.turns);
+  made.without.insert(made.without.end(), without.begin(), without.end());
+}
+
+std::vector<std::string> words_without(const CLI::App& command, const std::vector<std::string>& left_out) {
+  std::vector<std::string> words = {command.get_name()};
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || std::find(left_out.begin(), left_out.end(), option->get_name()) != left_out.end()) {
+      continue;
+    }
+    if (!option->get_positional()) words.push_back(option->get_name());
+    if (option->get_items_expected_max() == 0) continue;  // a flag
+    words.insert(words.end(), option->results().begin(), option->results().end());
+  }
+  return words;
+}
+
+}  // namespace sh::prt
