@@ -11,7 +11,9 @@
 #include <map>
 #include <vector>
 
+#include "prt/bake/bake_volume.hpp"
 #include "prt/commands/commands.hpp"
+#include "prt/medium/bake_medium.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "tests/fuzz/entry.hpp"
 #include "tests/prt/rooms.hpp"
@@ -196,7 +198,27 @@ constexpr std::array kWords = {"bake",
                                "8,8",
                                "--drop-invalid",
                                "--vectors",
-                               "--lobe"};
+                               "--lobe",
+                               "light-at",
+                               "probes",
+                               "volume",
+                               "--at",
+                               "--face",
+                               "--time",
+                               "--counts",
+                               "2,2,2",
+                               "--box",
+                               "--check",
+                               "unity",
+                               "--result-degree",
+                               "--element",
+                               "byte",
+                               "--memory",
+                               "m.json",
+                               "m.nrrd",
+                               "m.transfer",
+                               "n.transfer",
+                               "space.json"};
 static_assert(kWords.size() <= 256);
 
 // The triangles with these corners; assimp reads it without the megabytes that other formats take.
@@ -226,6 +248,16 @@ class Workplace {
     write_transfer("a.transfer", prt::test::baked(prt::test::primitive_mesh("box"), &prt::kShadowed, 16, 1));
     write_transfer("b.transfer", prt::test::baked(prt::test::primitive_mesh("box"), &prt::kInterreflected, 16, 1));
     write_transfer("g.transfer", prt::test::baked(prt::test::primitive_mesh("box"), &prt::kGlossyShadowed, 16, 1));
+    write_all("m.nrrd", "NRRD0001\ntype: uint8\ndimension: 3\nsizes: 2 1 2\nencoding: raw\n\n\1\2\3\4");
+    write_all("m.json", R"({"medium": {"density": {"file": "m.nrrd"}, "box": [[0, 0, 0], [1, 1, 1]], "extinction": 0.3},
+                            "bake": {"degree": 1, "directions": 24}})");
+    write_transfer("m.transfer", prt::bake_medium(prt::load_scene("m.json", prt::OnFlaw::kRefuse), 0));
+    write_transfer("n.transfer",
+                   prt::bake_volume(prt::test::scene_of(prt::test::primitive_mesh("box"), &prt::kShadowed),
+                                    {.counts = {2, 2, 2}, .degree = 1, .result_degree = 1, .directions = 16}, {}));
+    write_all("space.json",
+              R"({"objects": [{"transfer": "a.transfer"}, {"transfer": "b.transfer", "position": [2, 0, 0],
+                                             "volume": "n.transfer"}]})");
     std::filesystem::copy_file("a.transfer", "a.png");
     std::filesystem::copy_file(SHFORGE_SOURCE_DIR "/tests/data/fuzz/splats/little.ply", "s.ply");
     for (const auto& entry : std::filesystem::directory_iterator(".")) {
@@ -271,41 +303,59 @@ class Workplace {
   std::map<std::string, File> files_;
 };
 
-// Whether it is no number, one of at most 16, or far too large.
-bool is_small(const std::string& word) {
+// Whether it is no number, one of at most `most`, or far too large.
+bool is_small(const std::string& word, double most = 16) {
   const double number = std::strtod(word.c_str(), nullptr);
-  return !(number > 16 && number < 1e6);
+  return !(number > most && number < 1e6);
+}
+
+// Whether the word behind the option is small; so is what nobody names.
+bool is_small_option(const std::vector<std::string>& words, std::string_view option, double most) {
+  const auto found = std::find(words.begin(), words.end(), option);
+  return words.end() - found < 2 || is_small(*std::next(found), most);
 }
 
 // Whether a command line that says more than "no such command" begins with this word.
 bool may_begin(std::string_view word) {
   const auto* const end = kWords.begin() + kFirstWords;
-  constexpr std::array<std::string_view, 6> kLaterCommands{"fix-view", "grid", "view", "export", "import", "splats"};
+  constexpr std::array<std::string_view, 9> kLaterCommands{"fix-view", "grid",     "view",   "export", "import",
+                                                           "splats",   "light-at", "probes", "volume"};
   return std::find(kWords.begin(), end, word) != end || std::ranges::find(kLaterCommands, word) != kLaterCommands.end();
 }
 
-// A picture takes 16 rays for each pixel, of half a million unless its size is given. A mesh file alone gets a ground of
-// thousands of vertices.
+// A picture takes 16 rays for each pixel, of half a million unless its size is given. Grids have thousands of points
+// unless they are counted. A mesh file alone gets a ground of thousands of vertices.
 bool is_quick(const std::vector<std::string>& words) {
   const std::string command = words.size() > 1 ? words[1] : "";
   const bool draws = command == "render" || command == "compare" || command == "grid";
+  const bool samples = command == "light-at" || command == "probes";
+  const bool has_counts = words.size() > 3 && words[2] == "--counts" && words[3] == "2,2,2";
+  const bool has_few_checks = words.size() > 5 && words[4] == "--check" && is_small(words[5], 1);
   const bool has_width = words.size() > 3 && words[2] == "--width" && is_small(words[3]);
   const bool has_height = words.size() > 5 && words[4] == "--height" && is_small(words[5]);
-  const auto frames = std::find(words.begin(), words.end(), "--frames");
-  const bool has_few_frames = words.end() - frames < 2 || is_small(*std::next(frames));
   bool is_mesh_alone = false;  // not only an output
   for (std::size_t i = 2; i < words.size(); ++i) {
     is_mesh_alone = is_mesh_alone || words[i] == "a.stl";
     if (words[i] == "-o" || words[i] == "--checkpoint") ++i;  // its value, which may look like an option
   }
-  return (!draws || (has_width && (has_height || command == "grid"))) && has_few_frames && !is_mesh_alone;
+  return (!draws || (has_width && (has_height || command == "grid"))) && (command != "volume" || has_counts) &&
+         (command != "probes" || (has_counts && has_few_checks)) &&
+         (!samples || (is_small_option(words, "--face", 4) && is_small_option(words, "--samples", 4))) &&
+         is_small_option(words, "--frames", 16) && !is_mesh_alone;
 }
 
-// Whether the words name the file as output and nowhere else. The stage reads a.transfer, a.json reads a.stl.
+// Whether the words name the file as output and nowhere else, neither themselves nor in a scene or stage.
 bool is_only_output(const std::string& file, const std::vector<std::string>& words) {
   const auto named = std::find(words.begin(), words.end(), file);
   const auto is_named = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
-  const bool is_read = (file == "a.stl" && is_named("a.json")) || (file == "a.transfer" && is_named("stage.json"));
+  constexpr std::array<std::array<const char*, 2>, 6> kReads{{{"a.json", "a.stl"},
+                                                              {"stage.json", "a.transfer"},
+                                                              {"m.json", "m.nrrd"},
+                                                              {"space.json", "a.transfer"},
+                                                              {"space.json", "b.transfer"},
+                                                              {"space.json", "n.transfer"}}};
+  const bool is_read =
+      std::ranges::any_of(kReads, [&](const auto& read) { return file == read[1] && is_named(read[0]); });
   return named != words.end() && (*std::prev(named) == "-o" || *std::prev(named) == "--vectors") && !is_read &&
          std::count(named, words.end(), file) == 1;
 }

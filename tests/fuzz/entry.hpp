@@ -17,6 +17,7 @@ void run_image(std::string_view bytes);       // OpenEXR, Radiance, PNG, JPEG
 void run_light(std::string_view bytes);       // a light in an engine's format
 void run_report(std::string_view bytes);      // a report.json of shcheck
 void run_splats(std::string_view bytes);      // Gaussian splats: PLY, GLB, SPZ
+void run_density(std::string_view bytes);     // densities of a medium: NRRD, raw numbers
 void run_command(std::string_view bytes);     // a command line of prt: each byte stands for a word
 
 /// Prints `what` and aborts unless `holds`.

@@ -1,6 +1,7 @@
 // Readers of files that this project writes: transfer files, checkpoints, reports; and pictures.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "numeric/output/parse_json.hpp"
@@ -8,6 +9,8 @@
 #include "prt/bake/checkpoint.hpp"
 #include "prt/formats/formats.hpp"
 #include "prt/image/image.hpp"
+#include "prt/medium/density_file.hpp"
+#include "prt/medium/scattered_light.hpp"
 #include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/splats/convert_splats.hpp"
@@ -17,6 +20,7 @@
 #include "tests/fuzz/checkpoint_bytes.hpp"
 #include "tests/fuzz/entry.hpp"
 #include "tests/prt/rooms.hpp"
+#include "tests/prt/temporary_folder.hpp"
 
 namespace sh::fuzz {
 namespace {
@@ -44,6 +48,11 @@ void read_and_light(const std::string& file) {
           "coefficients are finite");
   LightCoefficients light = LightCoefficients::zero(transfer.degree());
   for (int channel = 0; channel < 3; ++channel) light.at(channel, 0) = 1.0;
+  if (transfer.kind->in_medium) {
+    const std::size_t numbers = scattered_light(transfer, light).size();
+    require(numbers == transfer.receivers() * 3 * transfer.shape.rows(), "every point of a medium is lit");
+    return;
+  }
   if (transfer.grid) {
     std::vector<float> between(3 * coefficient_count(kMaxDegree));
     const TransferredRadiance reaching(transfer, light);
@@ -90,6 +99,18 @@ void read_checkpoint(const std::string& file) {
       require(factor.vertex < vertices && std::abs(factor.weight) <= 2.0, "form factors are parts of a hemisphere");
     }
   }
+}
+
+// NRRD files need a name of their own; all others are raw numbers.
+void read_densities(const std::string& file) {
+  static const prt::test::TemporaryFolder kFolder;
+  const std::string named = kFolder.file("input.nrrd");
+  if (!std::filesystem::exists(named)) std::filesystem::create_symlink(file, named);
+  const bool is_nrrd = prt::test::read_all(file).starts_with("NRRD");
+  const DensityValues read = is_nrrd ? read_density(named, std::nullopt) : read_density(file, Counts{2, 1, 1});
+  require(read.values.size() == voxel_count(read.counts), "every voxel has a density");
+  require(std::all_of(read.values.begin(), read.values.end(), [](float v) { return std::isfinite(v) && v >= 0.0F; }),
+          "densities are finite and not below 0");
 }
 
 // What is accepted has finite coefficients, and is written again.
@@ -143,6 +164,8 @@ void run_checkpoint(std::string_view bytes) {
 }
 
 void run_splats(std::string_view bytes) { run_reader(read_splats, bytes); }
+
+void run_density(std::string_view bytes) { run_reader(read_densities, bytes); }
 
 void run_image(std::string_view bytes) { run_reader(read_picture, bytes); }
 

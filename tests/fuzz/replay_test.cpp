@@ -41,7 +41,8 @@ INSTANTIATE_TEST_SUITE_P(Each, Fuzz,
                                          Target{"parts", run_parts}, Target{"table", run_table},
                                          Target{"identify", run_identify}, Target{"image", run_image},
                                          Target{"light", run_light}, Target{"report", run_report},
-                                         Target{"splats", run_splats}, Target{"command", run_command}),
+                                         Target{"splats", run_splats}, Target{"density", run_density},
+                                         Target{"command", run_command}),
                          [](const auto& target) { return std::string(target.param.name); });
 
 }  // namespace

@@ -6,7 +6,7 @@ build=$(cd "$1" && pwd) || exit 2  # a target may change its folder
 seconds=$2
 shift 2
 source=$(cd "$(dirname "$0")/../.." && pwd)
-[ $# -gt 0 ] || set -- transfer checkpoint scene stage parts table identify image light report splats command
+[ $# -gt 0 ] || set -- transfer checkpoint scene stage parts table identify image light report splats density command
 
 # The longest input, in bytes: short ones run often.
 longest() {

@@ -21,7 +21,14 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMostCells = 600;  // that get an answer
 
-// Whether a scene has few vertices: sizes are asked for, and fine meshes only take time.
+// Whether the counts of a grid are no numbers, or few in all.
+bool has_few(const Json& counts) {
+  double product = 1.0;
+  for (const Json& count : counts) product *= count.is_number() ? count.get<double>() : 1.0;
+  return !(product > 4096.0);
+}
+
+// Whether a scene has few vertices and voxels: sizes are asked for, and fine meshes only take time.
 bool is_small(const Json& json) {
   if (json.is_structured()) {
     for (const auto& [key, value] : json.items()) {
@@ -30,6 +37,7 @@ bool is_small(const Json& json) {
       if (key == "segments" && number > 40) return false;
       if ((key == "scale" || key == "size") && !(std::abs(number) < 20)) return false;
       if (key == "scale" && value.is_array()) return false;
+      if (key == "counts" && value.is_array() && value.size() == 3 && !has_few(value)) return false;
       if (!is_small(value)) return false;
     }
   }
@@ -40,7 +48,7 @@ void read_scene(const std::string& file) {
   const Json json = read_json(file);
   if (json.dump().size() > 4000 || !is_small(json)) return;
   const Scene scene = load_scene(file, OnFlaw::kMend);
-  require(!scene.mesh.faces.empty(), "a scene has a face");
+  require(scene.medium.has_value() != !scene.mesh.faces.empty(), "a scene has faces or a medium");
   for (const Eigen::Vector3f& position : scene.mesh.positions) require(position.allFinite(), "positions are finite");
   for (const Eigen::Vector3f& normal : scene.mesh.normals) {
     require(std::abs(normal.norm() - 1.0F) < 1e-3F, "normals have length 1");
