@@ -59,12 +59,14 @@ std::string flaw_of_number(const std::string& text) {
              : "expected a finite number, got " + text;
 }
 
-void require_finite_numbers(CLI::App& tool) {
+// Numbers are finite; behind the values of an option that takes so many, `--at 1,2,3`, stands what belongs to the command.
+void settle_options(CLI::App& tool) {
   for (CLI::App* command : tool.get_subcommands({})) {
     for (CLI::Option* option : command->get_options()) {
       if (option->get_type_name().starts_with("FLOAT")) option->check(flaw_of_number);
+      if (option->get_items_expected_max() < CLI::detail::expected_max_vector_size) option->allow_extra_args(false);
     }
-    require_finite_numbers(*command);
+    settle_options(*command);
   }
 }
 
@@ -84,7 +86,7 @@ int run(int argc, char** argv) {
   CLI::App tool("Precomputed radiance transfer with spherical harmonics: bake, relight, render.", "prt");
   tool.set_version_flag("--version", sh::output::version_of("prt"));
   add_commands(argc > 1 ? argv[1] : "", tool);
-  require_finite_numbers(tool);
+  settle_options(tool);
   if (argc == 1) {
     std::fputs(tool.help().c_str(), stderr);
     return 2;

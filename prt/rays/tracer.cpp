@@ -23,6 +23,7 @@ static_assert(offsetof(RTCRay, tnear) == offsetof(ShadowRay, near) &&
               offsetof(RTCRay, mask) == offsetof(ShadowRay, mask));
 
 constexpr std::size_t kPrimaryBatch = 256;  // rays a stream call
+constexpr double kFarthestStart = 1e18;     // units of the frame; Embree aborts from 1.8e18
 
 struct InstructionSet {
   std::string_view name;
@@ -108,6 +109,15 @@ Tracer::Tracer(const Mesh& mesh, int threads, const std::string& instruction_set
 Tracer::~Tracer() = default;
 
 const std::string& Tracer::instruction_set() const { return impl_->instruction_set; }
+
+Eigen::Vector3f Tracer::start(const Eigen::Vector3d& point) const {
+  const Eigen::Vector3d local = frame().local(point);
+  if (!(local.cwiseAbs().maxCoeff() <= kFarthestStart)) {
+    throw std::runtime_error(fmt::format("the point {:g} {:g} {:g}: expected one within {:g} of the meshes", point.x(),
+                                         point.y(), point.z(), kFarthestStart * frame().unit));
+  }
+  return local.cast<float>();
+}
 
 const Frame& Tracer::frame() const { return impl_->frame; }
 

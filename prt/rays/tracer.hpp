@@ -59,6 +59,10 @@ class Tracer {
   /// The frame of the mesh, in which rays are, too.
   [[nodiscard]] const Frame& frame() const;
 
+  /// Where a ray from a point of the world starts in the frame. Throws std::runtime_error, one line, for a point so far
+  /// away that Embree has no numbers for it.
+  [[nodiscard]] Eigen::Vector3f start(const Eigen::Vector3d& point) const;
+
   /// The instruction set in use: results have the same bits on every machine that has it.
   [[nodiscard]] const std::string& instruction_set() const;
 

@@ -27,8 +27,6 @@ Eigen::Vector2f pattern(int k) {
           static_cast<float>(std::modf(0.5 + k / (kG * kG), &whole))};
 }
 
-Eigen::Vector3f eye_in(const Frame& frame, const Camera& camera) { return frame.local(camera.position).cast<float>(); }
-
 // The radiance that each ray of a row sees, also over mirrors.
 std::vector<Eigen::Vector3f> seen(const MirrorPaths& mirrors, const Surface& surface, const RowOfRays& rays,
                                   const Eigen::Vector3f& eye, const Background& background) {
@@ -112,7 +110,7 @@ std::vector<Eigen::Vector3f> CameraFrame::directions(int row, const PictureSize&
 
 void trace_row(const Tracer& tracer, const Camera& camera, const PictureSize& size, int row, RowOfRays& rays) {
   rays.directions = CameraFrame(camera, size).directions(row, size);
-  const std::vector<Eigen::Vector3f> origins(rays.directions.size(), eye_in(tracer.frame(), camera));
+  const std::vector<Eigen::Vector3f> origins(rays.directions.size(), tracer.start(camera.position));
   rays.hits.resize(rays.directions.size());
   tracer.intersect(origins, rays.directions, rays.hits);
 }
@@ -159,7 +157,7 @@ Picture render(const Mesh& mesh, const Tracer& tracer, const Surface& surface, c
   in_parallel(0, size.height, [&](int row) {
     RowOfRays rays;
     trace_row(tracer, camera, size, row, rays);
-    shade_row(seen(mirrors, surface, rays, eye_in(mesh.frame, camera), background), rays, size, row, picture);
+    shade_row(seen(mirrors, surface, rays, tracer.start(camera.position), background), rays, size, row, picture);
     progress.advance();
   });
   progress.finish();

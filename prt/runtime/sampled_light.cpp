@@ -114,7 +114,7 @@ class CubeView {
  public:
   CubeView(const LightSampler& scene, const Eigen::Vector3d& point)
       : scene_(scene), mirrors_(scene.mesh_, scene.tracer_), small_(scene.small_), wide_(scene.far_) {
-    eye_ = scene.tracer_.frame().local(point).cast<float>();
+    eye_ = scene.tracer_.start(point);
     for (const Light& light : seen_from(scene.near_, point)) (is_small(light) ? small_ : near_).push_back(light);
     wide_.insert(wide_.end(), near_.begin(), near_.end());
   }

@@ -41,7 +41,7 @@ class LightSampler {
                const CubeSize& size);
 
   /// The light at a point of the world. The same bits for any number of threads. Throws std::runtime_error for a point
-  /// inside a sphere light.
+  /// inside a sphere light, or too far away for rays.
   [[nodiscard]] SampledLight at(const Eigen::Vector3d& point, int degree) const;
 
  private:

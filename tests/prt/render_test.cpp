@@ -107,6 +107,11 @@ TEST(Render, CamerasAndSizesThatCannotBeUsedAreRefused) {
   camera = from_above();
   camera.vertical_field_of_view = 180.0F;
   EXPECT_NE(message(camera, {8, 8, 1}).find("field of view"), std::string::npos);
+  camera = from_above();
+  camera.position.x() = 2e18;  // the ray tracer aborts there
+  EXPECT_NE(message(camera, {8, 8, 1}).find("the point 2e+18 "), std::string::npos);
+  camera.position.x() = 1e18;
+  EXPECT_EQ(message(camera, {8, 8, 1}), "");
   for (const PictureSize& size : {PictureSize{0, 8, 1}, {8, -1, 1}, {8, 8, 0}, {8, 8, 5000}, {1 << 20, 1 << 20, 1}}) {
     EXPECT_NE(message(from_above(), size), "");
   }

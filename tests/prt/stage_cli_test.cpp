@@ -78,6 +78,7 @@ TEST_F(StageTool, TheLightAtAPointIsRefusedWhereItHasNoMeaning) {
   expect_refused(stage, "--at");
   expect_refused(joined(stage, {"--at", "0,0"}), "--at");
   expect_refused(joined(stage, {"--at", "0,nan,0"}), "nan");
+  expect_refused(joined(stage, {"--at", "0,-1e30,0"}), "the point 0 -1e+30 0: expected one within 1e+18 of the meshes");
   expect_refused(joined(stage, {"--at", "0,0,1", "--degree", "11"}), "degree");
   expect_refused(joined(stage, {"--at", "0,0,1", "--time", "2"}), "--time 2");
   expect_refused(joined(stage, {"--at", "0,0,1", "--face", "0"}), "pixels along a face 0");

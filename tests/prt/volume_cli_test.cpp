@@ -55,6 +55,13 @@ TEST_F(VolumeTool, InfoTellsTheGrid) {
   EXPECT_LE(info["mean_of_first_coefficient"], 3.5450);
 }
 
+TEST_F(VolumeTool, TakesTheSceneBehindAnyOption) {
+  const std::string file = folder->file("behind.transfer");
+  succeeded({"volume", "-o", file, "--directions", "16", "--counts", "2,3,4", wing});
+  succeeded({"volume", "-o", file, "--directions", "16", "--counts", "2", "3", "4", wing});
+  EXPECT_EQ(printed({"info", file})["grid"]["counts"], nlohmann::json({2, 3, 4}));
+}
+
 TEST_F(VolumeTool, AnnouncesRaysAndMemoryAndTellsBoxAndBorder) {
   const Finished run = succeeded(volume({"--counts", "4,4,4", "--element", "half", "--degree", "1", "--threads", "1"}));
   EXPECT_NE(run.err.find("4 x 4 x 4 points of 36 numbers, 0.0041 million rays, 1 MiB"), std::string::npos) << run.err;
