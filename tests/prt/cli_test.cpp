@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "tests/prt/image_files.hpp"
 #include "tests/prt/temporary_folder.hpp"
@@ -148,6 +149,21 @@ TEST_F(Tool, BakesBouncesAndSaysHowTheyWereSolved) {
   EXPECT_TRUE(info["bounces"]["certified"]);
   succeeded({"relight", file, "-o", folder->file("room.ply")});
   succeeded({"render", file, "-o", folder->file("room.png"), "--width", "32", "--height", "16"});
+  // Of the light of surfaces, too, and what the certificate leaves out.
+  write_all(scene, R"({"meshes": [{"primitive": "stairs", "albedo": [0.9, 0.5, 0.1], "emission": [2, 1, 0]}],
+                       "bake": {"degree": 1, "directions": 64, "transfer": "interreflected"}})");
+  const std::string said = succeeded({"bake", scene, "-o", file}).err;
+  const std::string words = "of emitted light ";
+  const std::size_t place = said.find(words);
+  ASSERT_NE(place, std::string::npos) << said;
+  double bound = 0.0;
+  double largest = 0.0;
+  std::string of;
+  std::istringstream(said.substr(place + words.size())) >> bound >> of >> largest;
+  EXPECT_GT(bound, 0.0);
+  EXPECT_LT(bound, 1e-3 * largest);
+  EXPECT_GT(largest, 2.0);
+  EXPECT_NE(said.find("the certificate does not cover rays and interpolation"), std::string::npos) << said;
 }
 
 TEST_F(Tool, CommandLinesThatCannotBeParsedAreOneLine) {

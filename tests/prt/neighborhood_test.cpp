@@ -200,6 +200,26 @@ TEST(GridCell, IsExactAtItsPointsAndForTrilinearFunctionsAndClampsOutside) {
   EXPECT_NEAR(value, f({1.0, 0.0, 2.5}), 1e-5);
 }
 
+// Weights below 0 or corners elsewhere would give trilinear functions all the same.
+TEST(GridCell, HasTheCornersAroundItsPointAndWeightsThatSumToOne) {
+  const PointGrid grid{{Eigen::Vector3d(-1.0, 0.0, 2.0), Eigen::Vector3d(1.0, 1.5, 3.0)}, {5, 4, 2}};
+  std::vector<Eigen::Vector3d> points{{0.11, 0.7, 2.2}, {-0.9, 1.45, 2.99}, {9.0, -9.0, 2.5}, {-9.0, 9.0, 9.0}};
+  for (std::size_t p = 0; p < grid.points(); ++p) points.push_back(grid.point(p));
+  for (const Eigen::Vector3d& p : points) {
+    const Eigen::Vector3d inside = p.cwiseMax(grid.box.min()).cwiseMin(grid.box.max());
+    const GridCell cell(grid, p);
+    float sum = 0.0F;
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      ASSERT_LT(cell.corners[corner], grid.points()) << p.transpose();
+      const Eigen::Vector3d steps = (grid.point(cell.corners[corner]) - inside).cwiseQuotient(grid.spacing());
+      EXPECT_LE(steps.cwiseAbs().maxCoeff(), 1.0 + 1e-12) << p.transpose();
+      EXPECT_GE(cell.weights[corner], 0.0F) << p.transpose();
+      sum += cell.weights[corner];
+    }
+    EXPECT_NEAR(sum, 1.0F, 1e-6F) << p.transpose();
+  }
+}
+
 // Under a uniform sky a sphere blocks the cap of sin(angle) = r/d about the normal of a receiver right below: 1 - (r/d)^2
 // is left. Degree 4 holds this cap times the cosine within 0.01.
 TEST(Neighborhood, ShadesAPlateUnderASphereAsTheCapSays) {
