@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "generated/cpp/cap.hpp"
 #include "generated/cpp/zonal.hpp"
@@ -496,12 +497,35 @@ TEST(Neighborhood, HasTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(lighting.radiance(poses, Eigen::Matrix3d::Identity()), all);
 }
 
+TEST(Neighborhood, ShadesManyReceiversAsEachAlone) {
+  const Transfer volume = random_volume(2, 4);
+  const LightCoefficients light = random_light(4, 3);
+  const TransferredRadiance reaching(volume, light);
+  for (const std::size_t count : {1U, 255U, 256U, 257U, 700U}) {
+    const std::vector<float> places = random_values(3 * count, 8);
+    std::vector<Eigen::Vector3f> positions;
+    std::vector<Eigen::Vector3f> normals;
+    for (std::size_t v = 0; v < count; ++v) {
+      positions.emplace_back(places[3 * v], places[3 * v + 1], places[3 * v + 2]);
+      normals.push_back(positions.back().normalized());
+    }
+    std::vector<Eigen::Vector3f> radiance(count + 1, Eigen::Vector3f::Constant(-7.0F));
+    shade_diffuse(*volume.grid, reaching, positions, normals, std::span(radiance).first(count));
+    for (std::size_t v = 0; v < count; v += v + 17 < count ? 16 : 1) {
+      const Eigen::Vector3d alone = diffuse_at(volume, light, positions[v], normals[v]);
+      EXPECT_LT((radiance[v].cast<double>() - alone).norm(), 1e-5 * (1.0 + alone.norm())) << v << " of " << count;
+    }
+    EXPECT_EQ(radiance.back(), Eigen::Vector3f::Constant(-7.0F)) << count;
+  }
+}
+
 TEST(Neighborhood, RefusesReceiversOfDifferentCounts) {
   const Transfer volume = random_volume(2, 4);
   const TransferredRadiance reaching(volume, constant_light(2));
   const std::vector<Eigen::Vector3f> two(2, Eigen::Vector3f::UnitZ());
   std::vector<Eigen::Vector3f> one(1);
   EXPECT_NE(message_of([&] { shade_diffuse(*volume.grid, reaching, two, two, one); }), "");
+  EXPECT_NE(message_of([&] { shade_diffuse(*volume.grid, reaching, std::span(two).first(1), two, one); }), "");
   shade_diffuse(*volume.grid, reaching, {}, {}, {});
 }
 
