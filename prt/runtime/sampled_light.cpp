@@ -220,7 +220,8 @@ LightSampler::LightSampler(const Mesh& mesh, const Tracer& tracer, Surface surfa
     : mesh_(mesh), tracer_(tracer), surface_(std::move(surface)), size_(size) {
   require_size(size);
   for (const Light& light : lights) (is_near(light) ? near_ : is_small(light) ? small_ : far_).push_back(light);
-  distant_.resize(std::size_t(6) * size.face * size.face);
+  distant_.assign(std::size_t(6) * size.face * size.face, Eigen::Vector3d::Zero());
+  if (far_.empty()) return;
   for_pixels(size.face,
              [&](int /*row*/, const Pixel& pixel) { distant_[pixel.index()] = mean_of(far_, pixel, lookups(size)); });
 }

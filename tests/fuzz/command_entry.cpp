@@ -239,7 +239,8 @@ class Workplace {
     using prt::write_transfer;
     std::filesystem::current_path(folder_.path());
     write_all("a.stl", stl({"0 0 0", "1 0 0", "1 1 0", "0 0 0", "1 1 0", "0 1 0", "0 0 0", "1 0 0", "0 0 1"}));
-    write_all("a.json", R"({"meshes": [{"file": "a.stl"}], "bake": {"degree": 1, "directions": 16}})");
+    write_all("a.json", R"({"meshes": [{"file": "a.stl"}], "lights": [{"type": "directional", "direction": [0, 1, 1]}],
+                            "bake": {"degree": 1, "directions": 16}})");
     write_all("stage.json",
               R"({"objects": [{"transfer": "a.transfer"}, {"transfer": "a.transfer", "position": [2, 0, 0],
                                 "move": [{"time": 0}, {"time": 1, "degrees": 90}]}]})");
@@ -257,7 +258,8 @@ class Workplace {
                                     {.counts = {2, 2, 2}, .degree = 1, .result_degree = 1, .directions = 16}, {}));
     write_all("space.json",
               R"({"objects": [{"transfer": "a.transfer"}, {"transfer": "b.transfer", "position": [2, 0, 0],
-                                             "volume": "n.transfer"}]})");
+                                             "volume": "n.transfer"}],
+                                "lights": [{"type": "directional", "direction": [0, 1, 1]}]})");
     std::filesystem::copy_file("a.transfer", "a.png");
     std::filesystem::copy_file(SHFORGE_SOURCE_DIR "/tests/data/fuzz/splats/little.ply", "s.ply");
     for (const auto& entry : std::filesystem::directory_iterator(".")) {
@@ -323,31 +325,41 @@ bool may_begin(std::string_view word) {
   return std::find(kWords.begin(), end, word) != end || std::ranges::find(kLaterCommands, word) != kLaterCommands.end();
 }
 
-// A picture takes 16 rays for each pixel, of half a million unless its size is given. Grids have thousands of points
-// unless they are counted. A mesh file alone gets a ground of thousands of vertices.
+bool has_word(const std::vector<std::string>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// Whether sampled light takes a moment: few probes, pixels and rays, and lights that are points, as those of two files
+// are; all others are looked up in large pictures.
+bool samples_little(const std::vector<std::string>& words) {
+  const bool is_few = words[1] != "probes" ||
+                      (words.size() > 4 && words[2] == "--counts" && words[3] == "2,2,2" && words[4] == "--check");
+  return is_few && (has_word(words, "a.json") || has_word(words, "space.json")) && !has_word(words, "--light") &&
+         is_small_option(words, "--check", 1) && is_small_option(words, "--face", 4) &&
+         is_small_option(words, "--samples", 4);
+}
+
+// A picture takes 16 rays for each pixel, of half a million unless its size is given. The space around an object has
+// thousands of points unless they are counted. A mesh file alone gets a ground of thousands of vertices.
 bool is_quick(const std::vector<std::string>& words) {
   const std::string command = words.size() > 1 ? words[1] : "";
   const bool draws = command == "render" || command == "compare" || command == "grid";
-  const bool samples = command == "light-at" || command == "probes";
-  const bool has_counts = words.size() > 3 && words[2] == "--counts" && words[3] == "2,2,2";
-  const bool has_few_checks = words.size() > 5 && words[4] == "--check" && is_small(words[5], 1);
   const bool has_width = words.size() > 3 && words[2] == "--width" && is_small(words[3]);
   const bool has_height = words.size() > 5 && words[4] == "--height" && is_small(words[5]);
+  const bool has_counts = words.size() > 3 && words[2] == "--counts" && words[3] == "2,2,2";
   bool is_mesh_alone = false;  // not only an output
   for (std::size_t i = 2; i < words.size(); ++i) {
     is_mesh_alone = is_mesh_alone || words[i] == "a.stl";
     if (words[i] == "-o" || words[i] == "--checkpoint") ++i;  // its value, which may look like an option
   }
   return (!draws || (has_width && (has_height || command == "grid"))) && (command != "volume" || has_counts) &&
-         (command != "probes" || (has_counts && has_few_checks)) &&
-         (!samples || (is_small_option(words, "--face", 4) && is_small_option(words, "--samples", 4))) &&
+         ((command != "light-at" && command != "probes") || samples_little(words)) &&
          is_small_option(words, "--frames", 16) && !is_mesh_alone;
 }
 
 // Whether the words name the file as output and nowhere else, neither themselves nor in a scene or stage.
 bool is_only_output(const std::string& file, const std::vector<std::string>& words) {
   const auto named = std::find(words.begin(), words.end(), file);
-  const auto is_named = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
   constexpr std::array<std::array<const char*, 2>, 6> kReads{{{"a.json", "a.stl"},
                                                               {"stage.json", "a.transfer"},
                                                               {"m.json", "m.nrrd"},
@@ -355,7 +367,7 @@ bool is_only_output(const std::string& file, const std::vector<std::string>& wor
                                                               {"space.json", "b.transfer"},
                                                               {"space.json", "n.transfer"}}};
   const bool is_read =
-      std::ranges::any_of(kReads, [&](const auto& read) { return file == read[1] && is_named(read[0]); });
+      std::ranges::any_of(kReads, [&](const auto& read) { return file == read[1] && has_word(words, read[0]); });
   return named != words.end() && (*std::prev(named) == "-o" || *std::prev(named) == "--vectors") && !is_read &&
          std::count(named, words.end(), file) == 1;
 }
