@@ -134,6 +134,22 @@ TEST(SampledLight, CountsASunByTheShareThatThePointSees) {
   EXPECT_EQ(share({0.6, 0, 0}), 1.0);
 }
 
+TEST(SampledLight, SeesTheWholeSunBesideAPlate) {
+  const std::vector<LightSpec> lights{sun(4.0, {0, 0, 1})};
+  const double radius = 0.5 * std::tan(4.0 * std::numbers::pi / 180.0);  // of the sun in the plane of the plate
+  for (int degrees = 0; degrees < 360; degrees += 5) {
+    const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ());
+    Mesh mesh = plate();
+    for (Eigen::Vector3f& p : mesh.positions) p = turn.cast<float>() * p;
+    const auto share = [&](double radii) {
+      const SampledLight seen = sampled(mesh, lights, turn * Eigen::Vector3d(0.5 + radii * radius, 0, 0), {1, 1});
+      return seen.light.at(0, 0) / of_distant(lights).at(0, 0);
+    };
+    EXPECT_EQ(share(1.001), 1.0) << degrees;
+    EXPECT_NEAR(share(0.7), 0.9059, 0.04) << degrees;  // a segment of the disc is hidden
+  }
+}
+
 TEST(SampledLight, TurnsWithLightAndSceneByQuarters) {
   Mesh mesh = plate();
   shine(mesh, {0.5F, 1.0F, 2.0F});
