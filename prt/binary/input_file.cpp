@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numeric/output/printable.hpp"
+
 namespace sh::prt {
 
 InputFile::InputFile(std::string path) : path_(std::move(path)) {
@@ -46,6 +48,16 @@ std::string InputFile::start(std::size_t count) const {
   return bytes;
 }
 
-void InputFile::fail(const std::string& what) const { throw std::runtime_error(fmt::format("{}: {}", path_, what)); }
+void InputFile::fail(const std::string& what) const {
+  throw std::runtime_error(fmt::format("{}: {}", path_, output::printable(what)));
+}
+
+std::string shown(std::string_view word) {
+  constexpr std::size_t kLongest = 60;
+  if (word.size() <= kLongest) return std::string(word);
+  std::size_t end = kLongest;
+  while (end > 0 && (static_cast<unsigned char>(word[end]) & 0xC0U) == 0x80U) --end;  // no half of a character
+  return std::string(word.substr(0, end)) + "...";
+}
 
 }  // namespace sh::prt

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace sh::prt {
 
@@ -21,7 +22,7 @@ class InputFile {
   /// The same of as many bytes as are there, at most `count`.
   [[nodiscard]] std::string start(std::size_t count) const;
 
-  /// Throws std::runtime_error, `path: what`.
+  /// Throws std::runtime_error, `path: what`, with control characters as \xNN.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
@@ -29,5 +30,8 @@ class InputFile {
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
 };
+
+/// A word of a file inside a message: its first 60 bytes at the most, no half of a character of UTF-8.
+std::string shown(std::string_view word);
 
 }  // namespace sh::prt

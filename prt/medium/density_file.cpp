@@ -10,7 +10,6 @@
 #include <cstring>
 #include <string_view>
 
-#include "numeric/output/printable.hpp"
 #include "prt/binary/gzip_reader.hpp"
 #include "prt/binary/input_file.hpp"
 
@@ -97,7 +96,7 @@ class NrrdHeaderReader {
   }
 
   [[noreturn]] void expected(std::string_view what, std::string_view got) const {
-    file_.fail(fmt::format("expected an NRRD file with {}, got `{}`", what, output::printable(std::string(got))));
+    file_.fail(fmt::format("expected an NRRD file with {}, got `{}`", what, shown(got)));
   }
 
   void take(std::string_view line) {

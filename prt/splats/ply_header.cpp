@@ -92,7 +92,7 @@ class HeaderParser {
     if (words[0] == "format") return take_format(words);
     if (words[0] == "element") return take_element(words);
     if (words[0] == "property") return take_property(words);
-    refuse(fmt::format("expected comment, format, element or property, got `{}`", words[0]));
+    refuse(fmt::format("expected comment, format, element or property, got `{}`", shown(words[0])));
   }
 
   void take_format(const std::vector<std::string>& words) {
@@ -115,7 +115,8 @@ class HeaderParser {
       header_.count = *count;
       return;
     }
-    if (header_.vertex_line == 0) refuse(fmt::format("expected the vertices first, got the element `{}`", words[1]));
+    if (header_.vertex_line == 0)
+      refuse(fmt::format("expected the vertices first, got the element `{}`", shown(words[1])));
     header_.other_elements += (header_.other_elements.empty() ? "" : ", ") + words[1];
     other_count_ = *count;
   }
@@ -124,7 +125,7 @@ class HeaderParser {
     if (header_.vertex_line == 0) refuse("expected an element before its properties");
     const bool is_other = !header_.other_elements.empty();
     if (words.size() == 5 && words[1] == "list") {
-      if (!is_other) refuse(fmt::format("expected a number for each vertex, got the list `{}`", words[4]));
+      if (!is_other) refuse(fmt::format("expected a number for each vertex, got the list `{}`", shown(words[4])));
       header_.has_lists = true;
       return;
     }
@@ -134,7 +135,7 @@ class HeaderParser {
       add_other(size_of(*type));
       return;
     }
-    if (header_.find(words[2]) != nullptr) refuse(fmt::format("the property `{}` stands there twice", words[2]));
+    if (header_.find(words[2]) != nullptr) refuse(fmt::format("the property `{}` stands there twice", shown(words[2])));
     header_.properties.push_back({words[2], *type, header_.record_size});
     header_.record_size += size_of(*type);
   }

@@ -63,6 +63,12 @@ TEST(HostileSplats, PlyHeaders) {
                     "expected the property `x` of type float or double");
   expect_unreadable(replaced(ply, "element vertex", "element face 0\nelement vertex"),
                     "expected the vertices first, got the element `face`");
+  expect_unreadable(replaced(ply, "property float x", "\x1b[2J\x1c 1"), R"(got `\x1b[2J\x1c`)");
+  expect_unreadable(replaced(ply, "property float x", std::string(100000, 'w')),
+                    "got `" + std::string(60, 'w') + "...`");
+  std::string umlauts = "w";
+  for (int i = 0; i < 99; ++i) umlauts += "\xc3\xa4";
+  expect_unreadable(replaced(ply, "property float x", umlauts), "got `" + umlauts.substr(0, 59) + "...`");
   expect_unreadable(replaced(ply, "end_header", "element vertex 3\nend_header"), "got a second");
   expect_unreadable(replaced(ply, "property float x", "vertices float x"), "got `vertices`");
 }
