@@ -210,6 +210,19 @@ void render_family(const Family& family, const std::function<void(const std::str
 
 }  // namespace
 
+std::map<std::string, std::string> render_batch() {
+  std::vector<print::WrittenFamily> written;
+  for (const Family& family : families()) {
+    std::vector<FinishedKernel>& kernels =
+        written.emplace_back(print::WrittenFamily{family.name, family.batch, {}}).kernels;
+    for (int degree = 0; degree <= family.largest_written; ++degree) {
+      const std::vector<Recipe> serving = recipes_for(family, degree);
+      if (!serving.empty()) kernels.push_back({recipe_kernel(family, serving.front(), degree), {}, {}, {}, {}});
+    }
+  }
+  return print::batch_files(written);
+}
+
 std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress,
                                               const std::vector<Family>& families) {
   Rendering rendering;
@@ -222,9 +235,17 @@ std::map<std::string, std::string> render_all(const std::function<void(const std
 
 std::map<std::string, std::string> render_families(const std::vector<std::string>& names,
                                                    const std::function<void(const std::string&)>& progress) {
-  for (const std::string& name : names) find_family(name);  // refuses every unknown name first
+  for (const std::string& name : names) {  // refuses every unknown name first
+    if (name != kBatchFiles) find_family(name);
+  }
   Rendering rendering;
-  for (const std::string& name : names) render_family(find_family(name), progress, rendering);
+  for (const std::string& name : names) {
+    if (name == kBatchFiles) {
+      rendering.files.merge(render_batch());
+    } else {
+      render_family(find_family(name), progress, rendering);
+    }
+  }
   return rendering.files;
 }
 

@@ -61,8 +61,12 @@ FinishedKernel preferred_kernel(const Family& family, int degree, Prefer prefer)
 /// Relative path -> content of every file under generated/. Calls progress with the name of each kernel.
 std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress,
                                               const std::vector<Family>& families = codegen::families());
-/// The same for the kernels of some families only. Leaves out MANIFEST, families.json and the batch drivers, because
-/// these need all families.
+/// The files of generated/batch/ alone, in seconds: their text needs no kernel's error.
+std::map<std::string, std::string> render_batch();
+/// The name that stands for these files in place of a family.
+inline constexpr const char* kBatchFiles = "batch";
+/// The same for the kernels of some families, or `batch`, only. Leaves out MANIFEST and families.json, because these need
+/// all families.
 std::map<std::string, std::string> render_families(const std::vector<std::string>& names,
                                                    const std::function<void(const std::string&)>& progress);
 

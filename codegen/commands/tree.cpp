@@ -94,7 +94,7 @@ void add_write_command(CLI::App& tool, int& exit_code) {
   const auto selection = std::make_shared<Selection>();
   CLI::App* const command = tool.add_subcommand("write", "Write the generated files that differ");
   command->add_option("family", selection->families,
-                      "Families to write (default: all families and the files that list all of them)");
+                      "Families to write, or batch: the drivers over many records, in seconds (default: everything)");
   command->add_option("--out", selection->folder, "Folder to write to (default: ./generated or the source tree's)");
   command->callback([selection, &exit_code] { exit_code = write(*selection); });
 }
@@ -103,7 +103,8 @@ void add_check_command(CLI::App& tool, int& exit_code) {
   const auto selection = std::make_shared<Selection>();
   CLI::App* const command =
       tool.add_subcommand("check", "Compare the generated files with the output of the generator");
-  command->add_option("family", selection->families, "Families to compare (default: every file of the folder)");
+  command->add_option("family", selection->families,
+                      "Families to compare, or batch (default: every file of the folder)");
   command->add_option("--dir", selection->folder, "Folder to compare (default: ./generated or the source tree's)");
   command->callback([selection, &exit_code] { exit_code = check(*selection); });
 }

@@ -68,9 +68,9 @@ struct BatchDriver {
   std::string parts = {};     ///< for a sum: the family that adds up intermediate values faster; empty: there is none
   std::string finish = {};    ///< the family that makes the sum from these values
   bool half = false;          ///< true: input 0 may be half precision
-  bool rings = false;         ///< true: visibility times a light, in stages (runtime/transfer_rings.hpp) in float
-  bool records = false;       ///< true: scalar products, which read plain records of input 0 as they are
-  int largest = 10;           ///< the largest degree; beyond it a driver does not justify its compile time
+  bool rings = false;         ///< true: visibility times a light, in stages (runtime/transfer_rings.hpp)
+  bool scalar_products = false;  ///< true: of rows with input 1, in loops (multiply_blocks, multiply_records)
+  int largest = 10;              ///< the largest degree; beyond it a driver does not justify its compile time
 };
 
 /// A family of kernels, one for each degree.

@@ -24,6 +24,8 @@ using symbolic::BilinearForm;
 using symbolic::ProductShape;
 
 constexpr int kLargestUnrolled = 6;  // longer code does not fit into the instruction cache
+constexpr int kLargestProductUnrolled =
+    5;  // at degree 6 the loop is a fifth of the code and takes a tenth longer at most
 constexpr int kLargestEmitted = symbolic::kMaxProductDegree;
 constexpr const char* kLimit = "the Gaunt tensor is derived to this degree only";
 constexpr int kLargestByTerms = 3;  // at higher degrees one product for each term is too long to be useful
@@ -230,8 +232,8 @@ std::vector<Family> product_families() {
            .limit = kLimit,
            // Pairs are faster up to degree 3, quadrature from degree 4 on.
            .recipes = {{"pairs", projected(kPairs), 0, 3},
-                       {"separable", projected(kDirect), 2, kLargestUnrolled},
-                       {"separable-halves", projected(kHalves), 2, kLargestUnrolled},
+                       {"separable", projected(kDirect), 2, kLargestProductUnrolled},
+                       {"separable-halves", projected(kHalves), 2, kLargestProductUnrolled},
                        {"looped", projected(kLooped), kLargestUnrolled, kLargestEmitted},
                        {"looped-halves", projected(kLoopedHalves), kLargestUnrolled + 1, kLargestEmitted},
                        {"greedy-pairs", projected(greedy_pairs), 2, kLargestUnrolled},

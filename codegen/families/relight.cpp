@@ -44,7 +44,7 @@ Family relight_family(const std::string& name, int transfer_channels, int light_
                  .unit = "|transfer| |light| of a channel",
                  .test_inputs = [=](int degree) { return relight_inputs(degree, transfer_channels + light_channels); },
                  .sizes = {transfer + " " + light}},
-      .batch = BatchDriver{.what = what, .half = true, .records = true}};
+      .batch = BatchDriver{.what = what, .half = true, .scalar_products = true}};
 }
 
 }  // namespace

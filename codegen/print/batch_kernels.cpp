@@ -20,16 +20,20 @@ std::string loop_of(const RecordSignature& s, Loop loop) {
   return s.sums ? "sum_every_register<" + inputs + ", " + count + ">" : "for_every_register<" + inputs + ">";
 }
 
-// The kernel of a scalar product that takes plain records; empty if there is none.
+// The template arguments of scalar products: rows of a record, sums, values of a row.
+std::string scalar_products(const Kernel& kernel) {
+  const int length = numeric::coefficient_count(kernel.degree);
+  const RecordSignature s = signature_of(kernel);
+  return filled("$rows, $sums, $length", {{"rows", std::to_string(s.inputs[0].size / length)},
+                                          {"sums", std::to_string(s.inputs[1].size / length)},
+                                          {"length", std::to_string(length)}});
+}
+
+// The kernel of scalar products that takes plain records; empty if there is none.
 std::string records_kernel(const Driver& driver, const Kernel& kernel) {
   constexpr int kLeast = 4;  // values of a row that multiply_records takes
-  const int length = numeric::coefficient_count(kernel.degree);
-  if (!driver.spec.records || length < kLeast) return {};
-  const RecordSignature s = signature_of(kernel);
-  return filled("float_only<T>(multiply_records<$rows, $sums, $length>)",
-                {{"rows", std::to_string(s.inputs[0].size / length)},
-                 {"sums", std::to_string(s.inputs[1].size / length)},
-                 {"length", std::to_string(length)}});
+  if (!driver.spec.scalar_products || numeric::coefficient_count(kernel.degree) < kLeast) return {};
+  return "float_only<T>(multiply_records<" + scalar_products(kernel) + ">)";
 }
 
 // The place of the input that serves all records; -1: there is none.
@@ -80,6 +84,17 @@ $body}
                  {"body", has_stages ? in_stages(kernel, loop, statement) : statement}});
 }
 
+// Where the instruction set has no conversions, the driver widens and runs the kernel: nothing is compiled twice.
+constexpr std::string_view kHalfKernel = R"(template <int Degree, int Size, class T>
+constexpr BlockKernel<T> half() {
+#if defined(SH_BATCH_CONVERTS_HALVES)
+  if constexpr (sizeof(T) == sizeof(float)) return kernel_half<Degree, Size>;
+#endif
+  return nullptr;
+}
+
+)";
+
 // The row of the table of plans for one degree.
 std::string plan_row(const Driver& driver, std::size_t i) {
   const Kernel& kernel = driver.kernels[i].kernel;
@@ -94,7 +109,12 @@ std::string plan_row(const Driver& driver, std::size_t i) {
     prepared =
         "detail::prepare_" + driver.name + ", " + std::to_string(size) + ", kernel_prepared" + at_degree + ", T>";
   }
-  const std::string half = "float_only<T>(kernel_half" + at_degree + ", " + std::to_string(s.inputs[0].size) + ">)";
+  std::string plain = (by_parts ? "parts" : "kernel") + at_degree + ", T>";
+  std::string half = "half" + at_degree + ", " + std::to_string(s.inputs[0].size) + ", T>()";
+  if (driver.spec.scalar_products) {
+    plain = "multiply_blocks<" + scalar_products(kernel) + ", T, T>";
+    half = "float_only<T>(multiply_blocks<" + scalar_products(kernel) + ", float, Half>)";
+  }
   const std::string records = records_kernel(driver, kernel);
   std::string shared;
   if (shared_input(s) >= 0) shared = ", " + std::to_string(shared_input(s));
@@ -104,7 +124,7 @@ std::string plan_row(const Driver& driver, std::size_t i) {
                  {"sizes", sizes},
                  {"out", std::to_string(s.out_size)},
                  {"sums", s.sums ? "true" : "false"},
-                 {"kernel", (by_parts ? "parts" : "kernel") + at_degree + ", T>"},
+                 {"kernel", plain},
                  {"half", driver.spec.half ? half : "nullptr"},
                  {"prepared", prepared},
                  {"finish", by_parts ? "detail::finish_" + driver.name : "nullptr"},
@@ -154,6 +174,7 @@ $runs  };
 
 std::string kernels_file(const Driver& driver) {
   std::string includes;
+  if (!driver.spec.scalar_products) includes += "#include \"../cpp/" + driver.name + ".hpp\"\n";
   for (const auto* further : {driver.prepared, driver.parts}) {
     if (further != nullptr) includes += "#include \"../cpp/" + further->back().kernel.family + ".hpp\"\n";
   }
@@ -161,23 +182,25 @@ std::string kernels_file(const Driver& driver) {
   if (driver.spec.rings) includes += "#include \"transfer_rings.hpp\"\n";
   if (driver.prepares() || driver.adds_parts()) includes += "#include \"once.hpp\"\n";
   const bool rings = driver.spec.rings;
-  std::string kernels = block_kernel("kernel", driver.last(), Loop::kPlain, rings);
+  std::string kernels = driver.spec.scalar_products ? "" : block_kernel("kernel", driver.last(), Loop::kPlain, rings);
   if (driver.adds_parts()) kernels += block_kernel("parts", driver.parts->back().kernel);
   if (driver.prepares()) kernels += block_kernel("kernel_prepared", driver.prepared->back().kernel, Loop::kFixed);
-  if (driver.spec.half) kernels += block_kernel("kernel_half", driver.last(), Loop::kHalf, rings);
+  if (driver.spec.half && !driver.spec.scalar_products) {
+    kernels +=
+        "#if defined(SH_BATCH_CONVERTS_HALVES)\n" + block_kernel("kernel_half", driver.last(), Loop::kHalf, rings);
+    kernels.insert(kernels.size() - 1, "#endif\n");
+    kernels += kHalfKernel;
+  }
+  if (!kernels.empty()) kernels = "namespace {\n\n" + kernels + "}  // namespace\n\n";
   std::string plans;
   for (std::size_t i = 0; i < driver.kernels.size(); ++i) plans += plan_row(driver, i);
   return filled(
       R"(// sh::batch::$name on the instruction set SH_BATCH_ISA.
 //
-$stamp#include "../cpp/$name.hpp"
-$includes
+$stamp$includes
 namespace sh::batch::SH_BATCH_ISA {
-namespace {
 
-$kernels}  // namespace
-
-template <class T>
+$kernels
 void $name(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
 $plans  };
@@ -188,7 +211,11 @@ template void $name(const detail::Call<double>&);
 
 }  // namespace sh::batch::SH_BATCH_ISA
 )",
-      {{"name", driver.name}, {"stamp", kStamp}, {"includes", includes}, {"kernels", kernels}, {"plans", plans}});
+      {{"name", driver.name},
+       {"stamp", kStamp},
+       {"includes", includes},
+       {"kernels", kernels + "template <class T>"},
+       {"plans", plans}});
 }
 
 std::string once_header(const std::vector<Driver>& drivers) {

@@ -95,26 +95,43 @@ $sums};
 
 // Theta of every (m, l >= m) for cosines and sines, all pairs of rings of each; `of` gives one number.
 template <class Of>
-std::vector<std::string> thetas(int degree, int pairs, bool is_sine, const Of& of) {
-  std::vector<std::string> numbers;
+std::vector<ExactReal> thetas(int degree, int pairs, bool is_sine, const Of& of) {
+  std::vector<ExactReal> numbers;
   for (int m = 0; m <= degree; ++m) {
     for (int l = m; l <= degree; ++l) {
-      for (int pair = 0; pair < pairs; ++pair) numbers.push_back(in_float(of(is_sine, l, m, pair)));
+      for (int pair = 0; pair < pairs; ++pair) numbers.push_back(of(is_sine, l, m, pair));
     }
   }
   return numbers;
 }
 
-// A member of two rows, for cosines and sines.
-template <class Row>
-std::string two_rows(const std::string& name, const Row& row) {
-  const std::vector<std::string> cosines = row(false);
-  return "  alignas(64) static constexpr float " + name + "[2][" + std::to_string(cosines.size()) + "] = {\n      {" +
-         rows_of(cosines).substr(kIndent) + "},\n      {" + rows_of(row(true)).substr(kIndent) + "}};\n";
+std::string in_double(const ExactReal& value) {
+  const std::string digits = decimal(is_zero(value) ? 0.0 : nearest<double>(value));
+  return digits == "0.0" ? "0" : digits;
 }
 
-std::string one_row(const std::string& name, const std::vector<std::string>& numbers) {
-  return "  alignas(64) static constexpr float " + name + "[] = {\n" + rows_of(numbers) + "};\n";
+// Numbers in a scalar, row by row.
+std::string numbers_in(const std::string& scalar, const std::vector<ExactReal>& numbers) {
+  std::vector<std::string> items;
+  for (const ExactReal& number : numbers) items.push_back(scalar == "float" ? in_float(number) : in_double(number));
+  return rows_of(items);
+}
+
+std::string table(const std::string& scalar, const std::string& name) {
+  return "  alignas(64) static constexpr " + scalar + " " + name;
+}
+
+// A member of two rows, for cosines and sines.
+template <class Row>
+std::string two_rows(const std::string& scalar, const std::string& name, const Row& row) {
+  const std::vector<ExactReal> cosines = row(false);
+  return table(scalar, name) + "[2][" + std::to_string(cosines.size()) + "] = {\n      {" +
+         numbers_in(scalar, cosines).substr(kIndent) + "},\n      {" + numbers_in(scalar, row(true)).substr(kIndent) +
+         "}};\n";
+}
+
+std::string one_row(const std::string& scalar, const std::string& name, const std::vector<ExactReal>& numbers) {
+  return table(scalar, name) + "[] = {\n" + numbers_in(scalar, numbers) + "};\n";
 }
 
 std::string rings_struct(int degree) {
@@ -126,19 +143,23 @@ std::string rings_struct(int degree) {
     return thetas(degree, degree, is_sine, [&](auto... at) { return rings.result(at...); });
   };
   const auto ratios = [&](bool is_sine) {
-    std::vector<std::string> numbers;
+    std::vector<ExactReal> numbers;
     for (int m = 0; m <= 2 * degree; ++m) {
-      for (int j = 0; j < degree; ++j) numbers.push_back(in_float(rings.ratio(is_sine, m, j)));
+      for (int j = 0; j < degree; ++j) numbers.push_back(rings.ratio(is_sine, m, j));
     }
     return numbers;
   };
-  std::vector<std::string> pole;
-  std::vector<std::string> pole_result;
-  for (int l = 0; l <= 2 * degree; ++l) pole.push_back(in_float(rings.pole(l)));
-  for (int l = 0; l <= degree; ++l) pole_result.push_back(in_float(rings.pole_result(l)));
-  return "\n// " + rings.definition() + "\ntemplate <>\nstruct Rings<" + std::to_string(degree) + "> : RingPlaces {\n" +
-         two_rows("kTheta", theta) + one_row("kPole", pole) + two_rows("kResult", result) +
-         one_row("kPoleResult", pole_result) + two_rows("kRatio", ratios) + "};\n";
+  std::vector<ExactReal> pole;
+  std::vector<ExactReal> pole_result;
+  for (int l = 0; l <= 2 * degree; ++l) pole.push_back(rings.pole(l));
+  for (int l = 0; l <= degree; ++l) pole_result.push_back(rings.pole_result(l));
+  std::string text = "\n// " + rings.definition() + "\n";
+  for (const std::string scalar : {"float", "double"}) {
+    text += "template <>\nstruct Rings<" + std::to_string(degree) + ", " + scalar + "> : RingPlaces {\n" +
+            two_rows(scalar, "kTheta", theta) + one_row(scalar, "kPole", pole) + two_rows(scalar, "kResult", result) +
+            one_row(scalar, "kPoleResult", pole_result) + two_rows(scalar, "kRatio", ratios) + "};\n";
+  }
+  return text;
 }
 
 std::string printed(int number) { return std::to_string(number); }
@@ -273,7 +294,7 @@ struct RingPlaces {
 
 // kTheta, kResult: by cosine or sine, place and pair of rings; kPole, kPoleResult: by degree; kRatio: by cosine or sine,
 // order and angle.
-template <int Degree>
+template <int Degree, class T>
 struct Rings;
 $structs
 }  // namespace sh::batch::detail

@@ -55,10 +55,10 @@ void check(const char* driver, Call<T>& call, int inputs, int largest_degree, Ou
   bool missing = call.out.data == nullptr;
   for (int j = 0; j < inputs; ++j) missing = missing || (call.in[j].data == nullptr && (j > 0 || call.half == nullptr));
   if (missing) refuse(driver, "expected arrays of " + std::to_string(call.n) + " records, got a null pointer");
-  static const std::size_t kLargestCached = largest_cached();
+  static const double kLargestCached = static_cast<double>(largest_cached());
   const auto bands = static_cast<std::size_t>(call.degree) + 1;
   const std::size_t record = (size.sets * bands * bands + size.more) * sizeof(T);
-  call.stream = record > 0 && call.n > kLargestCached / record;
+  call.stream = static_cast<double>(call.n) * static_cast<double>(record) > kLargestCached;
 }
 template void check(const char*, Call<float>&, int, int, OutputSize);
 template void check(const char*, Call<double>&, int, int, OutputSize);

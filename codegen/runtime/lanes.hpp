@@ -12,7 +12,7 @@
 #include <utility>
 #include <xsimd/xsimd.hpp>
 
-#include "layout.hpp"
+#include "halves.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
 
@@ -63,6 +63,10 @@ class Lanes {
   typename Register::register_type part_[kParts];  // not of class type: g++ would keep a copy of each in memory
 };
 
+#if defined(__F16C__) || defined(__AVX512F__)
+#define SH_BATCH_CONVERTS_HALVES
+#endif
+
 // The lanes of a register from half precision.
 inline Lanes<float> widen_lanes(const Half* from) {
 #if defined(__AVX512F__)
@@ -76,6 +80,13 @@ inline Lanes<float> widen_lanes(const Half* from) {
 #endif
 }
 
+// The lanes of a register from memory.
+template <class T>
+[[gnu::always_inline]] inline Lanes<T> load_lanes(const T* from) {
+  return Lanes<T>::Register::load_aligned(from);
+}
+[[gnu::always_inline]] inline Lanes<float> load_lanes(const Half* from) { return widen_lanes(from); }
+
 // Blocks in memory for a kernel: `blocks` of them, those of input j `step[j]` values apart (0: always the same one).
 template <class T>
 struct Blocks {
@@ -84,7 +95,14 @@ struct Blocks {
   T* out = nullptr;
   std::size_t out_step = 0;
   std::size_t count = 0;
+  std::size_t lanes = kBlock<T>;  // in use; the others of the last register are 0
 };
+
+// The lanes that a kernel has to compute: whole registers.
+template <class T>
+[[gnu::always_inline]] inline std::size_t lanes_of(const Blocks<T>& blocks) {
+  return Lanes<T>::kWidth == kBlock<T> ? kBlock<T> : blocks.lanes;
+}
 
 template <class T>
 using BlockKernel = void (*)(const Blocks<T>&);
@@ -93,7 +111,7 @@ using BlockKernel = void (*)(const Blocks<T>&);
 template <int Inputs, class T, class Kernel>
 [[gnu::always_inline]] inline void for_every_register(const Blocks<T>& blocks, const Kernel& kernel) {
   for (std::size_t b = 0; b < blocks.count; ++b) {
-    for (std::size_t lane = 0; lane < kBlock<T>; lane += Lanes<T>::kWidth) {
+    for (std::size_t lane = 0; lane < lanes_of(blocks); lane += Lanes<T>::kWidth) {
       const Lanes<T>* in[Inputs];
       for (int j = 0; j < Inputs; ++j) {
         in[j] = reinterpret_cast<const Lanes<T>*>(blocks.in[j] + b * blocks.step[j] + lane);
@@ -134,16 +152,21 @@ template <std::size_t Near = 10240>
   }
 }
 
-// The same where input 0, Size values a record, is in half precision: `in[0]` and `step[0]` count two of them as one.
+// What blocks in half precision need next: `lines` of them, and lines of results that take them without waiting.
+[[gnu::always_inline]] inline void prefetch_half_blocks(const float* block, std::size_t lines, const float* out,
+                                                        std::size_t out_step) {
+  constexpr std::size_t kAhead = 3;  // blocks
+  prefetch_stream(block, lines);
+  for (std::size_t k = 0; k < out_step; k += kBlock<float>) __builtin_prefetch(out + kAhead * out_step + k, 1, 2);
+}
+
+// for_every_register where input 0, Size values a record, is in half precision: `in[0]` and `step[0]` count two of them as one.
 template <int Inputs, int Size, class Kernel>
 [[gnu::always_inline]] inline void for_every_register_half(const Blocks<float>& blocks, const Kernel& kernel) {
   for (std::size_t b = 0; b < blocks.count; ++b) {
-    const auto* halves = reinterpret_cast<const Half*>(blocks.in[0] + b * blocks.step[0]);
-    prefetch_stream(blocks.in[0] + b * blocks.step[0], (std::size_t(Size) + 1) / 2);
-    for (std::size_t k = 0; k < blocks.out_step; k += kBlock<float>) {
-      constexpr std::size_t kAhead = 3;  // blocks; a line that is there takes the results without waiting
-      __builtin_prefetch(blocks.out + (b + kAhead) * blocks.out_step + k, 1, 2);
-    }
+    const float* block = blocks.in[0] + b * blocks.step[0];
+    const auto* halves = reinterpret_cast<const Half*>(block);
+    prefetch_half_blocks(block, (std::size_t(Size) + 1) / 2, blocks.out + b * blocks.out_step, blocks.out_step);
     for (std::size_t lane = 0; lane < kBlock<float>; lane += Lanes<float>::kWidth) {
       Lanes<float> wide[Size];
       unrolled(std::make_index_sequence<std::size_t(Size)>(),
@@ -154,6 +177,50 @@ template <int Inputs, int Size, class Kernel>
       }
       kernel(in, reinterpret_cast<Lanes<float>*>(blocks.out + b * blocks.out_step + lane));
     }
+  }
+}
+
+// The scalar products of blocks, Rows rows of Length values a record each, with input 1, Sums rows: row r meets rows
+// r Sums / Rows and up of it. The terms are added in their order, so that the bits are those of a plain loop.
+// Stored: T, or Half, where `in[0]` and `step[0]` count two values as one.
+template <int Rows, int Sums, std::size_t Length, class T, class Stored>
+void multiply_blocks(const Blocks<T>& blocks) {
+  constexpr std::size_t kSumsOfRow = Sums / Rows;
+  constexpr std::size_t kRegisters = kBlock<T> / Lanes<T>::kWidth;
+  const T* light = blocks.in[1];
+  for (std::size_t b = 0; b < blocks.count; ++b) {
+    const T* block = blocks.in[0] + b * blocks.step[0];
+    T* out = blocks.out + b * blocks.out_step;
+    if constexpr (sizeof(Stored) < sizeof(T))
+      prefetch_half_blocks(block, (Rows * Length + 1) / 2, out, blocks.out_step);
+    Lanes<T> sums[Sums][kRegisters];
+    const auto add = [&](std::size_t k, auto is_first) __attribute__((always_inline)) {
+      unrolled(
+          std::make_index_sequence<Rows * kRegisters>(), [&](std::size_t i) __attribute__((always_inline)) {
+            const std::size_t row = i / kRegisters;
+            const std::size_t at = i % kRegisters;
+            const std::size_t place = (row * Length + k) * kBlock<T> + at * Lanes<T>::kWidth;
+            const Lanes<T> value = load_lanes(reinterpret_cast<const Stored*>(block) + place);
+            unrolled(
+                std::make_index_sequence<kSumsOfRow>(), [&](std::size_t j) __attribute__((always_inline)) {
+                  const std::size_t sum = row * kSumsOfRow + j;
+                  const Lanes<T> term = value * Lanes<T>(light[sum * Length + k]);
+                  if constexpr (decltype(is_first)::value) {
+                    sums[sum][at] = term;
+                  } else {
+                    sums[sum][at] = sums[sum][at] + term;
+                  }
+                });
+          });
+    };
+    add(0, std::true_type());
+#pragma GCC unroll 4
+    for (std::size_t k = 1; k < Length; ++k) add(k, std::false_type());
+    unrolled(
+        std::make_index_sequence<Sums * kRegisters>(), [&](std::size_t i) __attribute__((always_inline)) {
+          const std::size_t at = i % kRegisters * Lanes<T>::kWidth;
+          *reinterpret_cast<Lanes<T>*>(out + i / kRegisters * kBlock<T> + at) = sums[i / kRegisters][i % kRegisters];
+        });
   }
 }
 
@@ -180,14 +247,13 @@ void multiply_records(const Blocks<float>& blocks) {
           std::make_index_sequence<kParts * Rows>(), [&](std::size_t k) __attribute__((always_inline)) {
             const std::size_t part = k / Rows;
             const std::size_t row = k % Rows;
-            Wide columns[4];
-            load_columns(records + part * kWide * kSize + row * Length + first, kSize, columns);
+            const Tiles columns = load_columns(records + part * kWide * kSize + row * Length + first, kSize);
             unrolled(
                 std::make_index_sequence<(4 - kSkipped) * kSumsOfRow>(), [&](std::size_t j) __attribute__((
                                                                              always_inline)) {
                   const std::size_t column = kSkipped + j / kSumsOfRow;
                   const std::size_t sum = row * kSumsOfRow + j % kSumsOfRow;
-                  sums[sum][part] += columns[column] * light[sum * Length + first + column];
+                  sums[sum][part] += columns.v[column] * light[sum * Length + first + column];
                 });
           });
     };

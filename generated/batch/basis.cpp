@@ -6,6 +6,7 @@
 #include "drive.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
+
 namespace {
 
 template <int Degree, class T>

@@ -29,10 +29,9 @@ class Driver {
     const std::size_t whole = call_.n / kBlock<T>;
     const std::size_t chunk = chunk_blocks(direct_out_ ? 0 : plan_.out, whole);
     for (std::size_t first = 0; first < whole; first += chunk) {
-      step(first, whole - first < chunk ? whole - first : chunk, kBlock<T>);
+      step(first * kBlock<T>, whole - first < chunk ? whole - first : chunk, kBlock<T>);
     }
-    direct_out_ = false;
-    if (const std::size_t rest = call_.n % kBlock<T>; rest > 0) step(whole, 1, rest);
+    if (const std::size_t rest = call_.n % kBlock<T>; rest > 0) finish(whole, rest);
     if (call_.stream) finish_stream();
   }
 
@@ -41,6 +40,23 @@ class Driver {
   static bool direct(const void* data, Layout layout, std::size_t size) {
     const bool blocks = layout == Layout::kBlocked || (layout == Layout::kPlain && size == 1);
     return blocks && reinterpret_cast<std::uintptr_t>(data) % detail::kLine == 0;
+  }
+
+  // The records after the last whole block. A block that ends with the last record is faster than part of a block; it
+  // computes some records twice, from inputs that must still be there.
+  void finish(std::size_t whole, std::size_t rest) {
+    for (int j = 0; j < plan_.inputs; ++j) direct_in_[j] = direct_in_[j] && call_.in[j].layout == Layout::kShared;
+    direct_out_ = false;
+    if (whole > 0 && may_overlap()) return step(call_.n - kBlock<T>, 1, kBlock<T>);
+    step(whole * kBlock<T>, 1, rest);
+  }
+
+  bool may_overlap() const {
+    bool plain = call_.out.layout == Layout::kPlain;
+    for (int j = 0; j < plan_.inputs; ++j) {
+      plain = plain && call_.in[j].layout != Layout::kBlocked && call_.in[j].data != call_.out.data;
+    }
+    return plain;
   }
 
   bool is_half(int j) const { return j == 0 && call_.half != nullptr; }
@@ -66,7 +82,8 @@ class Driver {
     const Records<const T>& in = call_.in[j];
     const bool halves = is_half(j);
     direct_in_[j] = in.layout == Layout::kShared ||
-                    (halves ? direct(call_.half, in.layout, plan_.in[j]) : direct(in.data, in.layout, plan_.in[j]));
+                    (halves ? plan_.kernel_half != nullptr && direct(call_.half, in.layout, plan_.in[j])
+                            : direct(in.data, in.layout, plan_.in[j]));
     if (in.layout != Layout::kShared) return;
     if (j == plan_.shared) {
       blocks_.in[j] = in.data;
@@ -103,25 +120,26 @@ class Driver {
     return blocks > 0 ? blocks : 1;
   }
 
-  // Points the kernel at the inputs of `count` blocks from block `first`; `lanes` of each are in use (fewer than kBlock
+  // Points the kernel at the inputs of `count` blocks from record `first`; `lanes` of each are in use (fewer than kBlock
   // in the last one only). Returns the room that is left.
   T* set_inputs(std::size_t first, std::size_t count, std::size_t lanes) {
     T* room = room_;
     blocks_.count = count;
+    blocks_.lanes = plan_.sums ? kBlock<T> : lanes;
     for (int j = 0; j < plan_.inputs; ++j) {
       const bool shared = call_.in[j].layout == Layout::kShared;
       if (shared && (lanes == kBlock<T> || !plan_.sums)) continue;  // in a sum, lanes that are not in use have to be 0
       const std::size_t block = plan_.in[j] * kBlock<T>;
       blocks_.step[j] = shared ? 0 : block;
       if (is_half(j) && !shared) {
-        if (direct_in_[j] && lanes == kBlock<T>) {
-          blocks_.in[j] = reinterpret_cast<const T*>(call_.half + first * block);
+        if (takes_halves() && lanes == kBlock<T>) {
+          blocks_.in[j] = reinterpret_cast<const T*>(call_.half + first * plan_.in[j]);
           blocks_.step[j] = block / 2;
           continue;
         }
-        fetch_halves(first * block, count, lanes, room);
+        fetch_halves(first * plan_.in[j], count, lanes, room);
       } else {
-        const T* from = shared ? blocks_.in[j] : call_.in[j].data + first * block;
+        const T* from = shared ? blocks_.in[j] : call_.in[j].data + first * plan_.in[j];
         blocks_.in[j] = from;
         if ((direct_in_[j] || (j == 0 && takes_records())) && lanes == kBlock<T>) continue;
         fetch(call_.in[j].layout, plan_.in[j], from, count, lanes, room);
@@ -145,9 +163,11 @@ class Driver {
     }
   }
 
-  // The hardware's prefetching misses records that are read side by side.
-  static void prefetch(const T* block, std::size_t size) {
+  // The hardware's prefetching misses records that are read side by side, where they are not in a cache.
+  void prefetch(const T* block, std::size_t size) const {
     constexpr std::size_t kLinesAhead = 128;
+    constexpr std::size_t kNear = 8192;  // lines in the second cache
+    if (call_.n / kBlock<T> * size < kNear) return;
     for (std::size_t k = 0; k < size; ++k) __builtin_prefetch(block + (kLinesAhead + k) * kBlock<T>);
   }
 
@@ -165,7 +185,7 @@ class Driver {
   void step(std::size_t first, std::size_t count, std::size_t lanes) {
     T* room = set_inputs(first, count, lanes);
     const std::size_t block = plan_.out * kBlock<T>;
-    T* out = call_.out.data + first * block;
+    T* out = call_.out.data + first * plan_.out;
     blocks_.out_step = block;
     blocks_.out = direct_out_ ? out : room;
     const bool halves = takes_halves() && lanes == kBlock<T>;
@@ -182,11 +202,14 @@ class Driver {
     const bool plain = call_.out.layout == Layout::kPlain;
     if (!plain && lanes == kBlock<T>) return copy(blocks_.out, count * size * kBlock<T>, call_.stream, to);
     if (!plain) return copy_lanes(blocks_.out, lanes, size, to);
-    T* records = call_.stream ? spare : to;
+    constexpr std::size_t kFew = 2;  // records, which are written one by one
+    const bool by_way_of_spare = call_.stream || (lanes < kBlock<T> && lanes % kTaken<T> > kFew);
+    T* records = by_way_of_spare ? spare : to;
+    const std::size_t written = by_way_of_spare ? kBlock<T> : lanes;
     for (std::size_t b = 0; b < count; ++b) {
-      to_records(blocks_.out + b * size * kBlock<T>, lanes, size, records + b * size * kBlock<T>);
+      to_records(blocks_.out + b * size * kBlock<T>, written, size, records + b * size * kBlock<T>);
     }
-    if (call_.stream) copy(spare, ((count - 1) * kBlock<T> + lanes) * size, true, to);
+    if (by_way_of_spare) copy(spare, ((count - 1) * kBlock<T> + lanes) * size, call_.stream, to);
   }
 
   // Lanes are added up over segments of fixed length, segments in double: the same sum for every layout.
@@ -201,11 +224,11 @@ class Driver {
       for (std::size_t k = 0; k < plan_.out * kBlock<T>; ++k) lanes[k] = T(0);
       const std::size_t end = whole - start < kSegmentBlocks ? whole : start + kSegmentBlocks;
       for (std::size_t first = start; first < end; first += chunk) {
-        set_inputs(first, end - first < chunk ? end - first : chunk, kBlock<T>);
+        set_inputs(first * kBlock<T>, end - first < chunk ? end - first : chunk, kBlock<T>);
         kernel_(blocks_);
       }
       if (end == whole && rest > 0 && end - start < kSegmentBlocks) {
-        set_inputs(whole, 1, rest);
+        set_inputs(whole * kBlock<T>, 1, rest);
         kernel_(blocks_);
       }
       for (std::size_t k = 0; k < plan_.out; ++k) {

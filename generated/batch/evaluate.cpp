@@ -8,6 +8,7 @@
 #include "once.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
+
 namespace {
 
 template <int Degree, class T>
@@ -24,11 +25,21 @@ template <int Degree, class T>
   });
 }
 
+#if defined(SH_BATCH_CONVERTS_HALVES)
 template <int Degree, int Size>
 [[gnu::flatten]] void kernel_half(const Blocks<float>& blocks) {
   for_every_register_half<2, Size>(blocks, [](const Lanes<float>* const* in, Lanes<float>* out) {
     out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
   });
+}
+#endif
+
+template <int Degree, int Size, class T>
+constexpr BlockKernel<T> half() {
+#if defined(SH_BATCH_CONVERTS_HALVES)
+  if constexpr (sizeof(T) == sizeof(float)) return kernel_half<Degree, Size>;
+#endif
+  return nullptr;
 }
 
 }  // namespace
@@ -36,17 +47,17 @@ template <int Degree, int Size>
 template <class T>
 void evaluate(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {1, 3}, 1, false, kernel<0, T>, float_only<T>(kernel_half<0, 1>), detail::prepare_evaluate, 1, kernel_prepared<0, T>, nullptr},
-      {2, {4, 3}, 1, false, kernel<1, T>, float_only<T>(kernel_half<1, 4>), detail::prepare_evaluate, 4, kernel_prepared<1, T>, nullptr},
-      {2, {9, 3}, 1, false, kernel<2, T>, float_only<T>(kernel_half<2, 9>), detail::prepare_evaluate, 9, kernel_prepared<2, T>, nullptr},
-      {2, {16, 3}, 1, false, kernel<3, T>, float_only<T>(kernel_half<3, 16>), detail::prepare_evaluate, 16, kernel_prepared<3, T>, nullptr},
-      {2, {25, 3}, 1, false, kernel<4, T>, float_only<T>(kernel_half<4, 25>), detail::prepare_evaluate, 25, kernel_prepared<4, T>, nullptr},
-      {2, {36, 3}, 1, false, kernel<5, T>, float_only<T>(kernel_half<5, 36>), detail::prepare_evaluate, 36, kernel_prepared<5, T>, nullptr},
-      {2, {49, 3}, 1, false, kernel<6, T>, float_only<T>(kernel_half<6, 49>), detail::prepare_evaluate, 49, kernel_prepared<6, T>, nullptr},
-      {2, {64, 3}, 1, false, kernel<7, T>, float_only<T>(kernel_half<7, 64>), nullptr, 0, nullptr, nullptr},
-      {2, {81, 3}, 1, false, kernel<8, T>, float_only<T>(kernel_half<8, 81>), nullptr, 0, nullptr, nullptr},
-      {2, {100, 3}, 1, false, kernel<9, T>, float_only<T>(kernel_half<9, 100>), nullptr, 0, nullptr, nullptr},
-      {2, {121, 3}, 1, false, kernel<10, T>, float_only<T>(kernel_half<10, 121>), nullptr, 0, nullptr, nullptr},
+      {2, {1, 3}, 1, false, kernel<0, T>, half<0, 1, T>(), detail::prepare_evaluate, 1, kernel_prepared<0, T>, nullptr},
+      {2, {4, 3}, 1, false, kernel<1, T>, half<1, 4, T>(), detail::prepare_evaluate, 4, kernel_prepared<1, T>, nullptr},
+      {2, {9, 3}, 1, false, kernel<2, T>, half<2, 9, T>(), detail::prepare_evaluate, 9, kernel_prepared<2, T>, nullptr},
+      {2, {16, 3}, 1, false, kernel<3, T>, half<3, 16, T>(), detail::prepare_evaluate, 16, kernel_prepared<3, T>, nullptr},
+      {2, {25, 3}, 1, false, kernel<4, T>, half<4, 25, T>(), detail::prepare_evaluate, 25, kernel_prepared<4, T>, nullptr},
+      {2, {36, 3}, 1, false, kernel<5, T>, half<5, 36, T>(), detail::prepare_evaluate, 36, kernel_prepared<5, T>, nullptr},
+      {2, {49, 3}, 1, false, kernel<6, T>, half<6, 49, T>(), detail::prepare_evaluate, 49, kernel_prepared<6, T>, nullptr},
+      {2, {64, 3}, 1, false, kernel<7, T>, half<7, 64, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {81, 3}, 1, false, kernel<8, T>, half<8, 81, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {100, 3}, 1, false, kernel<9, T>, half<9, 100, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {121, 3}, 1, false, kernel<10, T>, half<10, 121, T>(), nullptr, 0, nullptr, nullptr},
   };
   drive(call, kPlans[call.degree]);
 }

@@ -6,6 +6,7 @@
 #include "drive.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
+
 namespace {
 
 template <int Degree, class T>
@@ -15,11 +16,21 @@ template <int Degree, class T>
   });
 }
 
+#if defined(SH_BATCH_CONVERTS_HALVES)
 template <int Degree, int Size>
 [[gnu::flatten]] void kernel_half(const Blocks<float>& blocks) {
   for_every_register_half<2, Size>(blocks, [](const Lanes<float>* const* in, Lanes<float>* out) {
     sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
   });
+}
+#endif
+
+template <int Degree, int Size, class T>
+constexpr BlockKernel<T> half() {
+#if defined(SH_BATCH_CONVERTS_HALVES)
+  if constexpr (sizeof(T) == sizeof(float)) return kernel_half<Degree, Size>;
+#endif
+  return nullptr;
 }
 
 }  // namespace
@@ -27,17 +38,17 @@ template <int Degree, int Size>
 template <class T>
 void evaluate_rgb(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {3, 3}, 3, false, kernel<0, T>, float_only<T>(kernel_half<0, 3>), nullptr, 0, nullptr, nullptr},
-      {2, {12, 3}, 3, false, kernel<1, T>, float_only<T>(kernel_half<1, 12>), nullptr, 0, nullptr, nullptr},
-      {2, {27, 3}, 3, false, kernel<2, T>, float_only<T>(kernel_half<2, 27>), nullptr, 0, nullptr, nullptr},
-      {2, {48, 3}, 3, false, kernel<3, T>, float_only<T>(kernel_half<3, 48>), nullptr, 0, nullptr, nullptr},
-      {2, {75, 3}, 3, false, kernel<4, T>, float_only<T>(kernel_half<4, 75>), nullptr, 0, nullptr, nullptr},
-      {2, {108, 3}, 3, false, kernel<5, T>, float_only<T>(kernel_half<5, 108>), nullptr, 0, nullptr, nullptr},
-      {2, {147, 3}, 3, false, kernel<6, T>, float_only<T>(kernel_half<6, 147>), nullptr, 0, nullptr, nullptr},
-      {2, {192, 3}, 3, false, kernel<7, T>, float_only<T>(kernel_half<7, 192>), nullptr, 0, nullptr, nullptr},
-      {2, {243, 3}, 3, false, kernel<8, T>, float_only<T>(kernel_half<8, 243>), nullptr, 0, nullptr, nullptr},
-      {2, {300, 3}, 3, false, kernel<9, T>, float_only<T>(kernel_half<9, 300>), nullptr, 0, nullptr, nullptr},
-      {2, {363, 3}, 3, false, kernel<10, T>, float_only<T>(kernel_half<10, 363>), nullptr, 0, nullptr, nullptr},
+      {2, {3, 3}, 3, false, kernel<0, T>, half<0, 3, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {12, 3}, 3, false, kernel<1, T>, half<1, 12, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {27, 3}, 3, false, kernel<2, T>, half<2, 27, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {48, 3}, 3, false, kernel<3, T>, half<3, 48, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {75, 3}, 3, false, kernel<4, T>, half<4, 75, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {108, 3}, 3, false, kernel<5, T>, half<5, 108, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {147, 3}, 3, false, kernel<6, T>, half<6, 147, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {192, 3}, 3, false, kernel<7, T>, half<7, 192, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {243, 3}, 3, false, kernel<8, T>, half<8, 243, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {300, 3}, 3, false, kernel<9, T>, half<9, 300, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {363, 3}, 3, false, kernel<10, T>, half<10, 363, T>(), nullptr, 0, nullptr, nullptr},
   };
   drive(call, kPlans[call.degree]);
 }

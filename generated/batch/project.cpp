@@ -8,6 +8,7 @@
 #include "once.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
+
 namespace {
 
 template <int Degree, class T>

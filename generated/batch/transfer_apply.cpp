@@ -7,6 +7,7 @@
 #include "transfer_rings.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
+
 namespace {
 
 template <int Degree, class T>
@@ -20,6 +21,7 @@ template <int Degree, class T>
   }
 }
 
+#if defined(SH_BATCH_CONVERTS_HALVES)
 template <int Degree, int Size>
 [[gnu::flatten]] void kernel_half(const Blocks<float>& blocks) {
   if constexpr (kInStages<Degree, float>) {
@@ -30,19 +32,28 @@ template <int Degree, int Size>
     });
   }
 }
+#endif
+
+template <int Degree, int Size, class T>
+constexpr BlockKernel<T> half() {
+#if defined(SH_BATCH_CONVERTS_HALVES)
+  if constexpr (sizeof(T) == sizeof(float)) return kernel_half<Degree, Size>;
+#endif
+  return nullptr;
+}
 
 }  // namespace
 
 template <class T>
 void transfer_apply(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {1, 1}, 1, false, kernel<0, T>, float_only<T>(kernel_half<0, 1>), nullptr, 0, nullptr, nullptr, 1},
-      {2, {9, 12}, 4, false, kernel<1, T>, float_only<T>(kernel_half<1, 9>), nullptr, 0, nullptr, nullptr, 1},
-      {2, {25, 36}, 9, false, kernel<2, T>, float_only<T>(kernel_half<2, 25>), nullptr, 0, nullptr, nullptr, 1},
-      {2, {49, 76}, 16, false, kernel<3, T>, float_only<T>(kernel_half<3, 49>), nullptr, 0, nullptr, nullptr, 1},
-      {2, {81, 132}, 25, false, kernel<4, T>, float_only<T>(kernel_half<4, 81>), nullptr, 0, nullptr, nullptr, 1},
-      {2, {121, 204}, 36, false, kernel<5, T>, float_only<T>(kernel_half<5, 121>), nullptr, 0, nullptr, nullptr, 1},
-      {2, {169, 292}, 49, false, kernel<6, T>, float_only<T>(kernel_half<6, 169>), nullptr, 0, nullptr, nullptr, 1},
+      {2, {1, 1}, 1, false, kernel<0, T>, half<0, 1, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {2, {9, 12}, 4, false, kernel<1, T>, half<1, 9, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {2, {25, 36}, 9, false, kernel<2, T>, half<2, 25, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {2, {49, 76}, 16, false, kernel<3, T>, half<3, 49, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {2, {81, 132}, 25, false, kernel<4, T>, half<4, 81, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {2, {121, 204}, 36, false, kernel<5, T>, half<5, 121, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {2, {169, 292}, 49, false, kernel<6, T>, half<6, 169, T>(), nullptr, 0, nullptr, nullptr, 1},
   };
   drive(call, kPlans[call.degree]);
 }

@@ -6,6 +6,7 @@
 #include "drive.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
+
 namespace {
 
 template <int Degree, class T>
@@ -15,11 +16,21 @@ template <int Degree, class T>
   });
 }
 
+#if defined(SH_BATCH_CONVERTS_HALVES)
 template <int Degree, int Size>
 [[gnu::flatten]] void kernel_half(const Blocks<float>& blocks) {
   for_every_register_half<4, Size>(blocks, [&blocks](const Lanes<float>* const* in, Lanes<float>* out) {
     sh::transfer_glossy_rgb<Degree>(in[0], blocks.in[1], in[2], in[3][0], in[3][1], in[3][2], out);
   });
+}
+#endif
+
+template <int Degree, int Size, class T>
+constexpr BlockKernel<T> half() {
+#if defined(SH_BATCH_CONVERTS_HALVES)
+  if constexpr (sizeof(T) == sizeof(float)) return kernel_half<Degree, Size>;
+#endif
+  return nullptr;
 }
 
 }  // namespace
@@ -27,13 +38,13 @@ template <int Degree, int Size>
 template <class T>
 void transfer_glossy_rgb(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {4, {1, 3, 1, 3}, 3, false, kernel<0, T>, float_only<T>(kernel_half<0, 1>), nullptr, 0, nullptr, nullptr, 1},
-      {4, {9, 36, 2, 3}, 3, false, kernel<1, T>, float_only<T>(kernel_half<1, 9>), nullptr, 0, nullptr, nullptr, 1},
-      {4, {25, 108, 3, 3}, 3, false, kernel<2, T>, float_only<T>(kernel_half<2, 25>), nullptr, 0, nullptr, nullptr, 1},
-      {4, {49, 228, 4, 3}, 3, false, kernel<3, T>, float_only<T>(kernel_half<3, 49>), nullptr, 0, nullptr, nullptr, 1},
-      {4, {81, 396, 5, 3}, 3, false, kernel<4, T>, float_only<T>(kernel_half<4, 81>), nullptr, 0, nullptr, nullptr, 1},
-      {4, {121, 612, 6, 3}, 3, false, kernel<5, T>, float_only<T>(kernel_half<5, 121>), nullptr, 0, nullptr, nullptr, 1},
-      {4, {169, 876, 7, 3}, 3, false, kernel<6, T>, float_only<T>(kernel_half<6, 169>), nullptr, 0, nullptr, nullptr, 1},
+      {4, {1, 3, 1, 3}, 3, false, kernel<0, T>, half<0, 1, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {4, {9, 36, 2, 3}, 3, false, kernel<1, T>, half<1, 9, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {4, {25, 108, 3, 3}, 3, false, kernel<2, T>, half<2, 25, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {4, {49, 228, 4, 3}, 3, false, kernel<3, T>, half<3, 49, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {4, {81, 396, 5, 3}, 3, false, kernel<4, T>, half<4, 81, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {4, {121, 612, 6, 3}, 3, false, kernel<5, T>, half<5, 121, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {4, {169, 876, 7, 3}, 3, false, kernel<6, T>, half<6, 169, T>(), nullptr, 0, nullptr, nullptr, 1},
   };
   drive(call, kPlans[call.degree]);
 }

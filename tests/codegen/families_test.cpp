@@ -100,12 +100,12 @@ const std::vector<Bounds>& bounds() {
       {"rotate_apply", "rows", {{4, 304}}},
       {"rotate_evaluate", "turned", {{4, 122}}},
       {"product", "pairs", {{1, 19}, {2, 148}, {3, 534}}},
-      {"product", "separable", {{4, 1333}, {5, 2271}, {6, 3798}}},
-      {"product", "separable-halves", {{4, 1224}, {5, 2125}, {6, 3622}}},
+      {"product", "separable", {{4, 1333}, {5, 2271}}},
+      {"product", "separable-halves", {{4, 1224}, {5, 2125}}},
       {"square", "pairs", {{2, 63 + 38}, {3, 197 + 175}}},
       {"square", "separable", {{4, 461 + 452}, {5, 774 + 731}, {6, 1250 + 1248}}},
       {"product_zonal", "matrices", {{2, 49}, {3, 118}, {4, 258}, {5, 466}, {6, 795}, {7, 1238}}},
-      {"product", "looped", {{7, 5542}, {8, 7720}}},
+      {"product", "looped", {{6, 3799}, {7, 5542}, {8, 7720}}},
       {"square", "looped", {{7, 3671}}},
       {"product_full", "pairs", {{2, 258}, {3, 996}}}};
   return kBounds;

@@ -1,0 +1,317 @@
+// Tiles of a few values of a few records: from rows to columns, and back.
+//
+// Copied by:    shgen write, from codegen/runtime to generated/batch
+// Licence:      MIT-0; paste it anywhere.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <utility>
+
+#include "call.hpp"
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace sh::batch::SH_BATCH_ISA {
+
+using Four = float __attribute__((vector_size(16)));
+using Two = double __attribute__((vector_size(16)));
+
+inline Four load(const float* from) {
+  Four v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
+inline void store(float* to, const Four& v) { std::memcpy(to, &v, sizeof v); }
+
+// Vectors that hold columns of four records each. Eight lanes serve AVX-512, too: wider shuffles take more time there.
+#if defined(__AVX2__)
+constexpr std::size_t kWide = 8;
+using Wide = float __attribute__((vector_size(32)));
+inline Wide load_wide(const float* from) { return _mm256_loadu_ps(from); }
+inline void store(float* to, const Wide& v) { _mm256_storeu_ps(to, v); }
+#else
+constexpr std::size_t kWide = 4;
+using Wide = Four;
+inline Wide load_wide(const float* from) { return load(from); }
+#endif
+
+// Four values of each of kWide / 4 rows, which are 4 rows apart, side by side.
+inline Wide load_rows(const float* from, std::size_t step) {
+#if defined(__AVX2__)
+  return _mm256_insertf128_ps(_mm256_castps128_ps256(load(from)), load(from + 4 * step), 1);
+#else
+  static_cast<void>(step);
+  return load(from);
+#endif
+}
+
+// In each four lanes of the result the elements A, B, C, D of the four lanes of a (0 to 3) and of b (4 to 7).
+template <std::size_t A, std::size_t B, std::size_t C, std::size_t D, std::size_t... Lane>
+inline Wide pick(const Wide& a, const Wide& b, std::index_sequence<Lane...> /*lanes*/) {
+  constexpr std::size_t kPicked[4] = {A, B, C, D};
+  return __builtin_shufflevector(a, b, (kPicked[Lane % 4] % 4 + Lane / 4 * 4 + (kPicked[Lane % 4] < 4 ? 0 : kWide))...);
+}
+template <std::size_t A, std::size_t B, std::size_t C, std::size_t D>
+inline Wide pick(const Wide& a, const Wide& b) {
+  return pick<A, B, C, D>(a, b, std::make_index_sequence<kWide>());
+}
+
+// Records that go through tiles of kSide values at a time: kWide x 4 of float; of double 4 x 4, or 2 x 2.
+#if defined(__AVX2__)
+template <class T>
+constexpr std::size_t kSide = 4;
+template <class T>
+constexpr std::size_t kTaken = sizeof(T) == sizeof(float) ? kWide : 4;
+#else
+template <class T>
+constexpr std::size_t kSide = 16 / sizeof(T);
+template <class T>
+constexpr std::size_t kTaken = kSide<T>;
+#endif
+
+// Four vectors whose 4x4 tiles are transposed: in each four lanes, four rows become columns.
+struct Tiles {
+  Wide v[4];
+};
+[[gnu::always_inline]] inline Tiles transposed(const Wide& r0, const Wide& r1, const Wide& r2, const Wide& r3) {
+  const Wide a = pick<0, 4, 1, 5>(r0, r1);
+  const Wide b = pick<2, 6, 3, 7>(r0, r1);
+  const Wide c = pick<0, 4, 1, 5>(r2, r3);
+  const Wide d = pick<2, 6, 3, 7>(r2, r3);
+  return {{pick<0, 1, 4, 5>(a, c), pick<2, 3, 6, 7>(a, c), pick<0, 1, 4, 5>(b, d), pick<2, 3, 6, 7>(b, d)}};
+}
+
+// Four values of kWide records, `size` values apart -> four columns.
+[[gnu::always_inline]] inline Tiles load_columns(const float* records, std::size_t size) {
+  return transposed(load_rows(records, size), load_rows(records + size, size), load_rows(records + 2 * size, size),
+                    load_rows(records + 3 * size, size));
+}
+
+// The same of a block, of kWide lanes -> rows: record i, and record 4 + i beside it.
+[[gnu::always_inline]] inline Tiles load_tiles(const float* block) {
+  constexpr std::size_t kStep = kBlock<float>;
+  return transposed(load_wide(block), load_wide(block + kStep), load_wide(block + 2 * kStep),
+                    load_wide(block + 3 * kStep));
+}
+
+// kSide values of kTaken records, `size` values apart -> a part of a block.
+inline void spread_records(const float* records, std::size_t size, float* block) {
+  const Tiles columns = load_columns(records, size);
+  store(block, columns.v[0]);
+  store(block + kBlock<float>, columns.v[1]);
+  store(block + 2 * kBlock<float>, columns.v[2]);
+  store(block + 3 * kBlock<float>, columns.v[3]);
+}
+
+// The same back.
+inline void join_records(const float* block, float* records, std::size_t size) {
+  const Tiles rows = load_tiles(block);
+  store(records, __builtin_shufflevector(rows.v[0], rows.v[0], 0, 1, 2, 3));
+  store(records + size, __builtin_shufflevector(rows.v[1], rows.v[1], 0, 1, 2, 3));
+  store(records + 2 * size, __builtin_shufflevector(rows.v[2], rows.v[2], 0, 1, 2, 3));
+  store(records + 3 * size, __builtin_shufflevector(rows.v[3], rows.v[3], 0, 1, 2, 3));
+#if defined(__AVX2__)
+  records += 4 * size;
+  store(records, __builtin_shufflevector(rows.v[0], rows.v[0], 4, 5, 6, 7));
+  store(records + size, __builtin_shufflevector(rows.v[1], rows.v[1], 4, 5, 6, 7));
+  store(records + 2 * size, __builtin_shufflevector(rows.v[2], rows.v[2], 4, 5, 6, 7));
+  store(records + 3 * size, __builtin_shufflevector(rows.v[3], rows.v[3], 4, 5, 6, 7));
+#endif
+}
+
+// Values of a record that a store takes.
+template <class T>
+constexpr std::size_t kRow = sizeof(T) == sizeof(float) ? kWide : kSide<T>;
+
+// Tiles of kRow columns in a slab: as many as stay in the registers.
+#if defined(__AVX512VL__)
+template <class T>
+constexpr std::size_t kTilesOfSlab = sizeof(T) == sizeof(float) ? 3 : 6;
+#else
+template <class T>
+constexpr std::size_t kTilesOfSlab = sizeof(T) == sizeof(float) ? 2 : 3;
+#endif
+
+// Keeps stores in their order: those that continue each other are faster.
+[[gnu::always_inline]] inline void keep_order() { asm volatile("" ::: "memory"); }
+
+// So many tiles of kTaken lanes of a block -> records of `size` values, record by record. alone: the column before, which
+// no tile holds; null: none.
+template <std::size_t Count>
+[[gnu::always_inline]] inline void join_slab(const float* block, const float* alone, float* records, std::size_t size) {
+  Tiles left[Count];
+  constexpr std::size_t kStep = kBlock<float>;
+#if defined(__AVX2__)
+  Tiles right[Count];
+#pragma GCC unroll 8
+  for (std::size_t t = 0; t < Count; ++t) {
+    left[t] = load_tiles(block + 8 * t * kStep);
+    right[t] = load_tiles(block + (8 * t + 4) * kStep);
+  }
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (alone != nullptr) records[-1] = alone[i];
+#pragma GCC unroll 8
+    for (std::size_t t = 0; t < Count; ++t) {
+      store(records + 8 * t, Wide(__builtin_shufflevector(left[t].v[i], right[t].v[i], 0, 1, 2, 3, 8, 9, 10, 11)));
+    }
+    keep_order();
+    records += size;
+  }
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (alone != nullptr) records[-1] = alone[4 + i];
+#pragma GCC unroll 8
+    for (std::size_t t = 0; t < Count; ++t) {
+      store(records + 8 * t, Wide(__builtin_shufflevector(left[t].v[i], right[t].v[i], 4, 5, 6, 7, 12, 13, 14, 15)));
+    }
+    keep_order();
+    records += size;
+  }
+#else
+#pragma GCC unroll 8
+  for (std::size_t t = 0; t < Count; ++t) left[t] = load_tiles(block + 4 * t * kStep);
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (alone != nullptr) records[-1] = alone[i];
+#pragma GCC unroll 8
+    for (std::size_t t = 0; t < Count; ++t) store(records + 4 * t, left[t].v[i]);
+    keep_order();
+    records += size;
+  }
+#endif
+}
+
+// A tile of double: kSide rows, `step` values apart, as columns.
+#if defined(__AVX2__)
+using Doubles = double __attribute__((vector_size(32)));
+struct DoubleTile {
+  Doubles v[4];
+};
+[[gnu::always_inline]] inline DoubleTile load_tile(const double* from, std::size_t step) {
+  const Doubles r0 = _mm256_loadu_pd(from);
+  const Doubles r1 = _mm256_loadu_pd(from + step);
+  const Doubles r2 = _mm256_loadu_pd(from + 2 * step);
+  const Doubles r3 = _mm256_loadu_pd(from + 3 * step);
+  const Doubles a = __builtin_shufflevector(r0, r1, 0, 4, 2, 6);
+  const Doubles b = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
+  const Doubles c = __builtin_shufflevector(r2, r3, 0, 4, 2, 6);
+  const Doubles d = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
+  return {{__builtin_shufflevector(a, c, 0, 1, 4, 5), __builtin_shufflevector(b, d, 0, 1, 4, 5),
+           __builtin_shufflevector(a, c, 2, 3, 6, 7), __builtin_shufflevector(b, d, 2, 3, 6, 7)}};
+}
+inline void store(double* to, const Doubles& v) { _mm256_storeu_pd(to, v); }
+#else
+struct DoubleTile {
+  Two v[2];
+};
+[[gnu::always_inline]] inline DoubleTile load_tile(const double* from, std::size_t step) {
+  Two r0, r1;
+  std::memcpy(&r0, from, sizeof r0);
+  std::memcpy(&r1, from + step, sizeof r1);
+  return {{__builtin_shufflevector(r0, r1, 0, 2), __builtin_shufflevector(r0, r1, 1, 3)}};
+}
+inline void store(double* to, const Two& v) { std::memcpy(to, &v, sizeof v); }
+#endif
+
+template <std::size_t Count>
+[[gnu::always_inline]] inline void join_slab(const double* block, const double* alone, double* records,
+                                             std::size_t size) {
+  constexpr std::size_t kStep = kBlock<double>;
+  constexpr std::size_t kTile = kSide<double>;
+  DoubleTile tiles[Count];
+#pragma GCC unroll 8
+  for (std::size_t t = 0; t < Count; ++t) tiles[t] = load_tile(block + kTile * t * kStep, kStep);
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i < kTile; ++i) {
+    if (alone != nullptr) records[-1] = alone[i];
+#pragma GCC unroll 8
+    for (std::size_t t = 0; t < Count; ++t) store(records + kTile * t, tiles[t].v[i]);
+    keep_order();
+    records += size;
+  }
+}
+
+inline void spread_records(const double* records, std::size_t size, double* block) {
+  const DoubleTile columns = load_tile(records, size);
+#pragma GCC unroll 4
+  for (std::size_t k = 0; k < kSide<double>; ++k) store(block + k * kBlock<double>, columns.v[k]);
+}
+inline void join_records(const double* block, double* records, std::size_t size) {
+  join_slab<1>(block, nullptr, records, size);
+}
+
+// Whether spread_triples takes records of three values, kTaken of them; elsewhere rows of a transpose serve.
+#if defined(__AVX2__)
+template <class T>
+constexpr bool kHasTriples = true;
+
+inline void spread_triples(const float* records, float* block) {
+  const Wide r0 = load_wide(records);
+  const Wide r1 = load_wide(records + 8);
+  const Wide r2 = load_wide(records + 16);
+  const Wide x = _mm256_blend_ps(_mm256_blend_ps(r0, r1, 0x92), r2, 0x24);  // 0 9 18 3 12 21 6 15
+  const Wide y = _mm256_blend_ps(_mm256_blend_ps(r0, r1, 0x24), r2, 0x49);  // 16 1 10 19 4 13 22 7
+  const Wide z = _mm256_blend_ps(_mm256_blend_ps(r0, r1, 0x49), r2, 0x92);  // 8 17 2 11 20 5 14 23
+  store(block, __builtin_shufflevector(x, x, 0, 3, 6, 1, 4, 7, 2, 5));
+  store(block + kBlock<float>, __builtin_shufflevector(y, y, 1, 4, 7, 2, 5, 0, 3, 6));
+  store(block + 2 * kBlock<float>, __builtin_shufflevector(z, z, 2, 5, 0, 3, 6, 1, 4, 7));
+}
+inline void spread_triples(const double* records, double* block) {
+  const __m256d r0 = _mm256_loadu_pd(records);
+  const __m256d r1 = _mm256_loadu_pd(records + 4);
+  const __m256d r2 = _mm256_loadu_pd(records + 8);
+  const __m256d first = _mm256_permute2f128_pd(r0, r1, 0x30);                           // 0 1 6 7
+  const __m256d second = _mm256_permute2f128_pd(r0, r2, 0x21);                          // 2 3 8 9
+  const __m256d third = _mm256_permute2f128_pd(r1, r2, 0x30);                           // 4 5 10 11
+  _mm256_storeu_pd(block, _mm256_shuffle_pd(first, second, 0xa));                       // 0 3 6 9
+  _mm256_storeu_pd(block + kBlock<double>, _mm256_shuffle_pd(first, third, 0x5));       // 1 4 7 10
+  _mm256_storeu_pd(block + 2 * kBlock<double>, _mm256_shuffle_pd(second, third, 0xa));  // 2 5 8 11
+}
+#else
+template <class T>
+constexpr bool kHasTriples = sizeof(T) == sizeof(float);
+
+inline void spread_triples(const float* records, float* block) {
+  const Four r0 = load(records);
+  const Four r1 = load(records + 4);
+  const Four r2 = load(records + 8);
+  const Four a = __builtin_shufflevector(r0, r1, 0, 3, 6, 6);
+  const Four b = __builtin_shufflevector(r0, r1, 1, 4, 7, 7);
+  const Four c = __builtin_shufflevector(r0, r1, 2, 5, 5, 5);
+  store(block, __builtin_shufflevector(a, r2, 0, 1, 2, 5));
+  store(block + kBlock<float>, __builtin_shufflevector(b, r2, 0, 1, 2, 6));
+  store(block + 2 * kBlock<float>, __builtin_shufflevector(c, r2, 0, 1, 4, 7));
+}
+#endif
+
+// Three values of kWide records -> the records.
+inline void store_triples(const Wide& a, const Wide& b, const Wide& c, float* records) {
+  const Wide a0b0a1b1 = pick<0, 4, 1, 5>(a, b);
+  const Wide a2b2a3b3 = pick<2, 6, 3, 7>(a, b);
+  const Wide c0a1c2a3 = pick<0, 5, 2, 7>(c, a);
+  const Wide b1c1b3c3 = pick<1, 5, 3, 7>(b, c);
+  const Wide first = pick<0, 1, 4, 5>(a0b0a1b1, c0a1c2a3);
+  const Wide second = pick<0, 1, 4, 5>(b1c1b3c3, a2b2a3b3);
+  const Wide third = pick<2, 3, 6, 7>(c0a1c2a3, b1c1b3c3);
+#if defined(__AVX2__)
+  store(records, __builtin_shufflevector(first, second, 0, 1, 2, 3, 8, 9, 10, 11));
+  store(records + 8, __builtin_shufflevector(third, first, 0, 1, 2, 3, 12, 13, 14, 15));
+  store(records + 16, __builtin_shufflevector(second, third, 4, 5, 6, 7, 12, 13, 14, 15));
+#else
+  store(records, first);
+  store(records + 4, second);
+  store(records + 8, third);
+#endif
+}
+
+// Three values of a block of kWide lanes -> the records.
+inline void join_triples(const float* block, float* records) {
+  store_triples(load_wide(block), load_wide(block + kBlock<float>), load_wide(block + 2 * kBlock<float>), records);
+}
+inline void join_triples(const double* /*block*/, double* /*records*/) {}  // tiles serve there
+
+}  // namespace sh::batch::SH_BATCH_ISA
