@@ -198,7 +198,7 @@ void add_texel(Mesh& mesh, const Face& face, const Eigen::Vector3f& part) {
   mesh.positions.push_back(between(mesh.positions));
   mesh.normals.push_back(normal.norm() > 0.0F ? normal.normalized() : flat);
   mesh.geometric_normals.push_back(flat.dot(normal) < 0.0F ? (-flat).eval() : flat);
-  mesh.albedo.push_back(between(mesh.albedo).cwiseMin(1.0F));
+  mesh.albedo.emplace_back(between(mesh.albedo).cwiseMin(1.0F));
   if (!mesh.texture.empty()) mesh.texture.push_back(between(mesh.texture));
   repeat_finish(mesh, face[0]);
   if (!mesh.emission.empty()) mesh.emission.back() = between(mesh.emission);
@@ -209,9 +209,9 @@ void add_texel(Mesh& mesh, const Face& face, const Eigen::Vector3f& part) {
 
 Eigen::Vector2f center_of_pixel(const Atlases::Head& atlas, std::uint32_t pixel) {
   const auto width = static_cast<std::uint32_t>(atlas.width);
-  const auto height = static_cast<float>(atlas.height);
+  const std::uint32_t row = pixel / width;
   return {(static_cast<float>(pixel % width) + 0.5F) / static_cast<float>(atlas.width),
-          1.0F - (static_cast<float>(pixel / width) + 0.5F) / height};
+          1.0F - (static_cast<float>(row) + 0.5F) / static_cast<float>(atlas.height)};
 }
 
 std::vector<std::uint32_t> add_atlas(Mesh& mesh, std::size_t faces, int size, const std::string& name) {

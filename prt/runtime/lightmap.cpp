@@ -57,7 +57,7 @@ std::vector<Eigen::Vector3f> irradiance_of(const Transfer& transfer, const std::
 
 std::array<std::vector<Eigen::Vector3f>, 4> directional_irradiance(const Transfer& transfer,
                                                                    const TransferredRadiance& reaching) {
-  const std::size_t bands = static_cast<std::size_t>((reaching.degree() + 1) * (reaching.degree() + 1));
+  const auto bands = coefficient_count(reaching.degree());
   std::array<std::vector<Eigen::Vector3f>, kBandsOfLightmap> directional;
   directional.fill(std::vector<Eigen::Vector3f>(transfer.mesh.positions.size()));
   for (std::size_t v = 0; v < transfer.mesh.positions.size(); ++v) {
