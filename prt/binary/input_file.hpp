@@ -22,7 +22,7 @@ class InputFile {
   /// The same of as many bytes as are there, at most `count`.
   [[nodiscard]] std::string start(std::size_t count) const;
 
-  /// Throws std::runtime_error, `path: what`, with control characters as \xNN.
+  /// Throws std::runtime_error, `path: what`, with control characters as hexadecimal numbers.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
