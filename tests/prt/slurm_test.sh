@@ -3,7 +3,7 @@
 # bake, also after a task died and was sent again. Usage: slurm_test.sh FOLDER_OF_PRT. Exit: 77 where Slurm is missing or
 # may not start.
 set -euo pipefail
-prt=$1
+prt=$(cd "$1" && pwd)
 for program in munged slurmctld slurmd sbatch; do
   command -v "$program" >/dev/null || PATH=$PATH:/usr/sbin
   command -v "$program" >/dev/null || { echo "skipped: $program is not installed"; exit 77; }
