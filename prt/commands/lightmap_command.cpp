@@ -85,20 +85,20 @@ void run_lightmap(const LightmapCommand& options) {
   }
   const Transfer& transfer = subject.transfer();
   require_fit(options, transfer, of);
-  subject.require_no_input(options.output);
+  const std::size_t atlases = transfer.mesh.atlases.heads.size();
+  for (std::size_t a = 0; a < atlases; ++a) subject.require_no_input(file_of(options.output, a, atlases));
   const SurfaceReceivers receivers(transfer.mesh);
   const std::vector<Pose> poses = subject.poses_at(0.0);
   std::vector<std::vector<Eigen::Vector3f>> layers;
   if (of == Of::kRadiance || of == Of::kIrradiance) {
     layers.push_back(subject.radiance(poses, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()));
-    if (of == Of::kIrradiance) layers.front() = irradiance_of(transfer, layers.front());
+    if (of == Of::kIrradiance) layers.front() = irradiance_of(transfer, layers.front(), subject.albedo());
   } else if (of == Of::kDirectional) {
     for (auto& layer : directional_irradiance(transfer, subject.reaching(Eigen::Matrix3d::Identity()))) {
       layers.push_back(std::move(layer));
     }
   }
   if (!layers.empty()) tell_seams(transfer.mesh, receivers, layers.front());
-  const std::size_t atlases = transfer.mesh.atlases.heads.size();
   for (std::size_t a = 0; a < atlases; ++a) {
     std::vector<ExrChannel> channels =
         of == Of::kTransfer ? rows_of(transfer, receivers, a) : std::vector<ExrChannel>();

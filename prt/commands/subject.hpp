@@ -59,6 +59,8 @@ class Subject {
   /// turns about its `from`. Throws std::runtime_error if it exceeds single precision.
   [[nodiscard]] std::vector<Eigen::Vector3f> radiance(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
                                                       const Eigen::Vector3d& eye) const;
+  /// The albedo of the vertices of transfer(), by the user's choice.
+  [[nodiscard]] std::vector<Eigen::Vector3f> albedo() const { return shading_.albedo(transfer().mesh); }
   /// The radiance that reaches the vertices of a glossy transfer file.
   [[nodiscard]] TransferredRadiance reaching(const Eigen::Matrix3d& light_turn) const;
   /// What a picture of mesh(poses) shows. This object and `mesh`, which is mesh(poses), must outlive it.

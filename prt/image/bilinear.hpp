@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "prt/image/image.hpp"
+
 namespace sh::prt {
 
 /// The value at a place in continuous pixel coordinates, column and row; the center of a pixel is at column + 1/2,
@@ -30,6 +32,11 @@ Eigen::Vector3f repeated(const Eigen::Vector2f& texture, int width, int height, 
   const auto within = [](int place, int count) { return (place + count) % count; };
   return bilinear({part(texture.x()) * width, (1.0 - part(texture.y())) * height},
                   [&](int column, int row) { return at(within(column, width), within(row, height)); });
+}
+
+inline Eigen::Vector3f repeated(const Eigen::Vector2f& texture, const Image& image) {
+  return repeated(texture, image.width, image.height,
+                  [&](int column, int row) -> const Eigen::Vector3f& { return image.at(column, row); });
 }
 
 }  // namespace sh::prt

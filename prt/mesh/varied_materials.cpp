@@ -12,11 +12,6 @@ namespace sh::prt {
 
 namespace {
 
-Eigen::Vector3f sampled(const Image& image, const Eigen::Vector2f& texture) {
-  return repeated(texture, image.width, image.height,
-                  [&](int column, int row) -> const Eigen::Vector3f& { return image.at(column, row); });
-}
-
 int step_of(float value, int steps) {
   return static_cast<int>(std::lround(std::clamp(value, 0.0F, 1.0F) * static_cast<float>(steps)));
 }
@@ -52,7 +47,7 @@ struct Means {
 
   void add(const VariedMaterial& varied, const Eigen::Vector2f& texture, float more) {
     const auto sum = [&](const std::shared_ptr<const Image>& image, Eigen::Vector3f& total) {
-      if (image != nullptr) total += more * sampled(*image, texture);
+      if (image != nullptr) total += more * repeated(texture, *image);
     };
     sum(varied.albedo, albedo);
     sum(varied.emission, emission);

@@ -43,15 +43,10 @@ std::vector<ExrChannel> channels_of(const SurfaceReceivers& receivers, std::size
   return channels;
 }
 
-std::vector<Eigen::Vector3f> irradiance_of(const Transfer& transfer, const std::vector<Eigen::Vector3f>& radiance) {
-  std::vector<Eigen::Vector3f> irradiance(radiance.size(), Eigen::Vector3f::Zero());
-  for (std::size_t v = 0; v < radiance.size(); ++v) {
-    const Eigen::Vector3f own = transfer.emitted.empty() ? Eigen::Vector3f::Zero().eval() : transfer.emitted[v];
-    for (int c = 0; c < 3; ++c) {
-      const float albedo = transfer.mesh.albedo[v][c];
-      if (albedo > 0.0F) irradiance[v][c] = std::numbers::pi_v<float> * (radiance[v][c] - own[c]) / albedo;
-    }
-  }
+std::vector<Eigen::Vector3f> irradiance_of(const Transfer& transfer, const std::vector<Eigen::Vector3f>& radiance,
+                                           const std::vector<Eigen::Vector3f>& albedo) {
+  std::vector<Eigen::Vector3f> irradiance = without_albedo(radiance, transfer.emitted, albedo);
+  for (Eigen::Vector3f& value : irradiance) value *= std::numbers::pi_v<float>;
   return irradiance;
 }
 

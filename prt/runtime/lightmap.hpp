@@ -18,9 +18,10 @@ namespace sh::prt {
 std::vector<ExrChannel> channels_of(const SurfaceReceivers& receivers, std::size_t atlas,
                                     const std::vector<Eigen::Vector3f>& values, const std::string& prefix = "");
 
-/// The irradiance at every vertex, W m^-2, from its exit radiance: pi radiance / albedo, without the emitted light. NaN does
-/// not occur: a black surface has none to tell, 0.
-std::vector<Eigen::Vector3f> irradiance_of(const Transfer& transfer, const std::vector<Eigen::Vector3f>& radiance);
+/// The irradiance at every vertex, W m^-2, from the exit radiance of surfaces of this albedo: pi radiance / albedo, without
+/// the emitted light. A black surface tells none: 0.
+std::vector<Eigen::Vector3f> irradiance_of(const Transfer& transfer, const std::vector<Eigen::Vector3f>& radiance,
+                                           const std::vector<Eigen::Vector3f>& albedo);
 
 /// Irradiance by direction: e_0 + e_1 y + e_2 z + e_3 x at a unit normal, in the axes of the world, for every vertex
 /// [O'Donnell 2018, the generated kernel `lightmap`]. So a normal map meets a lightmap.

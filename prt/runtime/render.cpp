@@ -132,13 +132,7 @@ Surface diffuse_surface(const Mesh& mesh, std::vector<Eigen::Vector3f> radiance,
                         const std::vector<Eigen::Vector3f>& emitted, SurfaceColors colors) {
   if (mesh.albedo_map.empty()) return diffuse_surface(mesh, std::move(radiance));
   const std::vector<Eigen::Vector3f> own = own_light(mesh.positions.size(), emitted);
-  std::vector<Eigen::Vector3f> reaching(mesh.positions.size(), Eigen::Vector3f::Zero());
-  for (std::size_t v = 0; v < reaching.size(); ++v) {
-    for (int c = 0; c < 3; ++c) {
-      const float albedo = colors.of_vertices()[v][c];
-      if (albedo > 0.0F) reaching[v][c] = (radiance[v][c] - own[v][c]) / albedo;
-    }
-  }
+  const std::vector<Eigen::Vector3f> reaching = without_albedo(radiance, emitted, colors.of_vertices());
   return [&mesh, receivers = SurfaceReceivers(mesh), colors = std::move(colors), own, reaching,
           radiance = std::move(radiance)](const Hit& hit, const Eigen::Vector3f& /*direction*/) {
     const ReceiversAt at = receivers.at(hit);

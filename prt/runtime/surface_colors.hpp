@@ -14,6 +14,12 @@
 
 namespace sh::prt {
 
+/// The radiance that diffuse surfaces of albedo 1 would send, (vertices), from that of surfaces of this albedo; `emitted`
+/// (vertices, or empty) is the part of it that they emit, which is left out. Black surfaces tell none: 0.
+std::vector<Eigen::Vector3f> without_albedo(const std::vector<Eigen::Vector3f>& radiance,
+                                            const std::vector<Eigen::Vector3f>& emitted,
+                                            const std::vector<Eigen::Vector3f>& albedo);
+
 using DecodedPictures = std::shared_ptr<const std::vector<Image>>;
 
 /// The pictures in Mesh::albedo_maps. Throws std::runtime_error, one line that begins with `name`, for one that cannot be

@@ -322,7 +322,7 @@ TEST(Lightmap, OfABlackSurfaceIsZeroAndFinite) {
   Mesh mesh = square_with_texels(3);
   paint(mesh, {0.0F, 0.5F, 1.0F});
   const Transfer transfer = baked(mesh, &kShadowed, 64);
-  const auto irradiance = irradiance_of(transfer, relight(transfer, constant_light(2)));
+  const auto irradiance = irradiance_of(transfer, relight(transfer, constant_light(2)), transfer.mesh.albedo);
   for (const Eigen::Vector3f& e : irradiance) {
     EXPECT_EQ(e.x(), 0.0F);
     EXPECT_NEAR(e.y(), std::numbers::pi_v<float>, 1e-4F);

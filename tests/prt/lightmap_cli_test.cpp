@@ -49,6 +49,26 @@ TEST_F(LightmapTool, WritesTheRadianceOfTexelsUnderTheLight) {
   }
 }
 
+TEST_F(LightmapTool, TheIrradianceDoesNotDependOnTheColor) {
+  baked("shadowed");
+  succeeded({"lightmap", folder_.file("t"), "-o", out_, "--light", "constant"});
+  const Image own = read_image(out_, OnFlaw::kRefuse);
+  succeeded({"lightmap", folder_.file("t"), "-o", out_, "--light", "constant", "--recolor", "1,1,1"});
+  const Image recolored = read_image(out_, OnFlaw::kRefuse);
+  for (std::size_t i = 0; i < own.pixels.size(); ++i) EXPECT_LT((own.pixels[i] - recolored.pixels[i]).norm(), 1e-5F);
+}
+
+TEST_F(LightmapTool, DoesNotOverwriteItsLight) {
+  write_all(folder_.file("s.json"),
+            R"({"meshes": [{"primitive": "plane", "texels": 2}, {"primitive": "plane", "texels": 2,
+                "transform": {"translate": [2, 0, 0]}}], "bake": {"directions": 64}})");
+  succeeded({"bake", folder_.file("s.json"), "-o", folder_.file("t")});
+  succeeded({"lightmap", folder_.file("t"), "-o", out_});  // l_1.exr and l_2.exr
+  const std::string light = read_all(folder_.file("l_2.exr"));
+  expect_refused({"lightmap", folder_.file("t"), "-o", out_, "--light", folder_.file("l_2.exr")}, "l_2.exr");
+  EXPECT_TRUE(read_all(folder_.file("l_2.exr")) == light);
+}
+
 TEST_F(LightmapTool, WritesDirectionalIrradianceAndRows) {
   baked("glossy_shadowed");
   succeeded({"lightmap", folder_.file("t"), "-o", out_, "--of", "directional", "--light", "constant"});
