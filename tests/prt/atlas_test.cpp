@@ -231,6 +231,32 @@ TEST(Atlas, BouncesReadLightFromTexels) {
   EXPECT_GT(std::abs(under_box(coarse) / with_vertices - 1.0), 0.05);
 }
 
+// Four texels shine differently. A plate sees their bilinear mean at every hit, as vertices on a fine lattice shine.
+TEST(Atlas, BouncesInterpolateBetweenFourTexels) {
+  const auto shining = [](const Eigen::Vector3f& at) {
+    const float x = std::clamp(2.0F * at.x() + 0.5F, 0.0F, 1.0F);
+    const float y = std::clamp(2.0F * at.y() + 0.5F, 0.0F, 1.0F);
+    return Eigen::Vector3f(1.0F + 2.0F * x + 4.0F * y, x, 8.0F * x * y);
+  };
+  const auto at_plate = [&](Mesh mesh) {
+    mesh.albedo.assign(mesh.positions.size(), Eigen::Vector3f::Zero());
+    mesh.emission.clear();
+    for (const Eigen::Vector3f& position : mesh.positions) mesh.emission.push_back(shining(position));
+    Mesh plate = primitive_mesh("plane", 24,
+                                Eigen::Translation3f(0.15F, -0.2F, 0.15F) *
+                                    Eigen::AngleAxisf(std::numbers::pi_v<float>, Eigen::Vector3f::UnitX()) *
+                                    Eigen::Scaling(0.02F));
+    paint(plate, {1.0F, 1.0F, 1.0F});
+    append(mesh, plate);
+    return baked(mesh, &kInterreflected, 4096, 0).emitted.back();
+  };
+  Mesh fine = primitive_mesh("plane");
+  refine(fine, 0.03F);
+  const Eigen::Vector3f expected = at_plate(fine);
+  const Eigen::Vector3f seen = at_plate(square_with_texels(2));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c] / expected[c], 1.0F, 0.01F) << c;
+}
+
 TEST(Atlas, CoveredTexelsTakeTheLightOfTheirNeighbors) {
   Mesh mesh = square_with_texels(20);
   append(mesh, primitive_mesh("box", 24, Eigen::Translation3f(0.0F, 0.0F, 0.151F) * Eigen::Scaling(0.3F)));

@@ -58,15 +58,15 @@ TEST_F(LightmapTool, TheIrradianceDoesNotDependOnTheColor) {
   for (std::size_t i = 0; i < own.pixels.size(); ++i) EXPECT_LT((own.pixels[i] - recolored.pixels[i]).norm(), 1e-5F);
 }
 
-TEST_F(LightmapTool, DoesNotOverwriteItsLight) {
+TEST_F(LightmapTool, DoesNotOverwriteItsInput) {
   write_all(folder_.file("s.json"),
             R"({"meshes": [{"primitive": "plane", "texels": 2}, {"primitive": "plane", "texels": 2,
                 "transform": {"translate": [2, 0, 0]}}], "bake": {"directions": 64}})");
-  succeeded({"bake", folder_.file("s.json"), "-o", folder_.file("t")});
-  succeeded({"lightmap", folder_.file("t"), "-o", out_});  // l_1.exr and l_2.exr
-  const std::string light = read_all(folder_.file("l_2.exr"));
-  expect_refused({"lightmap", folder_.file("t"), "-o", out_, "--light", folder_.file("l_2.exr")}, "l_2.exr");
-  EXPECT_TRUE(read_all(folder_.file("l_2.exr")) == light);
+  succeeded({"bake", folder_.file("s.json"), "-o", folder_.file("l_2.exr")});  // as the map of the second atlas
+  const std::string transfer = read_all(folder_.file("l_2.exr"));
+  expect_refused({"lightmap", folder_.file("l_2.exr"), "-o", out_}, "l_2.exr");
+  EXPECT_TRUE(read_all(folder_.file("l_2.exr")) == transfer);
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("l_1.exr")));
 }
 
 TEST_F(LightmapTool, WritesDirectionalIrradianceAndRows) {
