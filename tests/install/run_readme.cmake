@@ -28,7 +28,7 @@ list(TRANSFORM commands REPLACE "  +#.*$" "")
 list(TRANSFORM commands STRIP)
 list(REMOVE_DUPLICATES commands)
 # These take long; bakes and renders like them, and tests of their own, run the same code.
-list(FILTER commands EXCLUDE REGEX "shgen (prove|check)$|shcheck kernels|out/(room|gi|roughness|ring_texels)[.]")
+list(FILTER commands EXCLUDE REGEX "shgen (prove|check)$|shcheck kernels|out/(room|gi|roughness)[.]")
 foreach(command IN LISTS commands)
   run("${command}")
 endforeach()
