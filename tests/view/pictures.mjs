@@ -4,14 +4,15 @@ import { set } from './browser.mjs';
 
 /** The bytes of a PNG file as {width, height, rgb: values from 0 to 1}. */
 export async function decoded(page, png) {
-  return page.evaluate(async (base64) => {
+  const { width, height, rgba } = await page.evaluate(async (base64) => {
     const picture = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob(), { colorSpaceConversion: 'none' });
     const canvas = new OffscreenCanvas(picture.width, picture.height);
     const context = canvas.getContext('2d');
     context.drawImage(picture, 0, 0);
     const { data } = context.getImageData(0, 0, picture.width, picture.height);
-    return { width: picture.width, height: picture.height, rgb: [...data].filter((_, i) => i % 4 < 3).map((value) => value / 255) };
+    return { width: picture.width, height: picture.height, rgba: base64Of(data) };
   }, Buffer.from(png).toString('base64'));
+  return { width, height, rgb: Float64Array.from(Buffer.from(rgba, 'base64').filter((_, i) => i % 4 < 3), (value) => value / 255) };
 }
 
 export function rootMeanSquare(a, b) {
