@@ -107,20 +107,24 @@ double length_of(const double* first, std::size_t size) { return length(std::spa
 struct Range {
   std::vector<double> least, largest;
   std::vector<Array> arrays;
-  std::vector<bool> in_array;
-  std::vector<bool> turning;  // the inputs that `to_domain` changes together
+  std::vector<char> turning;                     // the inputs that `to_domain` changes together
+  std::vector<std::size_t> still, with_turning;  // the inputs outside of arrays, without those and with them
 
   Range(const std::vector<Parameter>& parameters, const std::vector<std::vector<double>>& inputs)
       : least(inputs[0]), largest(inputs[0]) {
     std::size_t first = 0;
     for (const Parameter& parameter : parameters) {
       const bool coefficients = holds_coefficients(parameter.role);
-      in_array.insert(in_array.end(), parameter.size(), coefficients);
-      turning.insert(turning.end(), parameter.size(), !coefficients && parameter.role != Role::kParameter);
+      const bool turns = !coefficients && parameter.role != Role::kParameter;
+      turning.insert(turning.end(), parameter.size(), turns);
       // Each channel has a length of its own.
       const auto size = static_cast<std::size_t>(parameter.size() / parameter.channels());
       for (int channel = 0; channel < parameter.channels(); ++channel, first += size) {
-        if (holds_coefficients(parameter.role)) arrays.push_back({first, size});
+        if (coefficients) arrays.push_back({first, size});
+        for (std::size_t i = first; i < first + size && !coefficients; ++i) {
+          with_turning.push_back(i);
+          if (!turns) still.push_back(i);
+        }
       }
     }
     for (const std::vector<double>& input : inputs) add(input);
@@ -129,9 +133,7 @@ struct Range {
   // Keeps every length and every other value in its range. Directions and other inputs that `to_domain` moves together
   // may stand outside of it; where none of them changed, they stay.
   void clamp(std::vector<double>& input, bool turned) const {
-    for (std::size_t i = 0; i < input.size(); ++i) {
-      if (!in_array[i] && (turned || !turning[i])) input[i] = std::clamp(input[i], least[i], largest[i]);
-    }
+    for (const std::size_t i : turned ? with_turning : still) input[i] = std::clamp(input[i], least[i], largest[i]);
     for (const Array& array : arrays) {
       const double present = length_of(input.data() + array.first, array.size);
       if (present <= array.largest) continue;
@@ -171,12 +173,13 @@ bool to_domain(const Kernel& kernel, const Range& range, std::vector<double>& in
     move_to_domain<T>(kernel.parameters, moved);
     std::transform(moved.begin(), moved.end(), input.begin(), [](Wide value) { return value.high(); });
   }
+  bool finite = true;
   for (double& value : input) {
     value = rounded<T>(value);
-    if (!std::isfinite(value)) return false;
-    if (std::abs(value) < kLeastInput) value = 0;
+    finite &= std::abs(value) <= std::numeric_limits<double>::max();
+    value = std::abs(value) < kLeastInput ? 0 : value;
   }
-  return true;
+  return finite;
 }
 
 // A point with the output whose error is looked at there, in epsilon x size.
@@ -322,12 +325,13 @@ class Search {
   }
 
   // The input with the largest error of all outputs.
-  Point worst_of(const Inputs& inputs) const {
+  Point worst_of(const Inputs& inputs) {
     ErrorLanes<T> lanes(kernel_, format_);
     Point worst{inputs[0], 0, 0};
     for (std::size_t first = 0; first < inputs.size(); first += kLanes) {
       const std::size_t count = std::min<std::size_t>(inputs.size() - first, kLanes);
-      lanes(in_lanes(std::span(inputs).subspan(first, count)));
+      set_lanes(std::span(inputs).subspan(first, count));
+      lanes(in_lanes_);
       for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t output = 0; output < kernel_.outputs.size(); ++output) {
           const double error = lanes.error(output, static_cast<int>(i));
@@ -340,14 +344,12 @@ class Search {
     return worst;
   }
 
-  static std::vector<Lanes> in_lanes(std::span<const std::vector<double>> inputs) {
-    std::vector<Lanes> lanes(inputs[0].size());
-    for (std::size_t i = 0; i < lanes.size(); ++i) {
-      for (int lane = 0; lane < kLanes; ++lane) {
-        lanes[i][lane] = inputs[std::min<std::size_t>(lane, inputs.size() - 1)][i];
-      }
+  void set_lanes(std::span<const std::vector<double>> inputs) {
+    in_lanes_.resize(inputs[0].size());
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const std::vector<double>& input = inputs[std::min(lane, inputs.size() - 1)];
+      for (std::size_t i = 0; i < input.size(); ++i) in_lanes_[i][lane] = input[i];
     }
-    return lanes;
   }
 
   // Changes the input at random, as many ways at once as there are lanes, and goes to the worst of them.
@@ -379,22 +381,25 @@ class Search {
   // Goes to the worst neighbor of a point if its error is larger than that of the point. with_itself: one neighbor is the
   // input of the point.
   void look_around(Point& point, ErrorLanes<T>& lanes, bool with_itself) {
-    const std::vector<double> middle = point.input;
-    Inputs near(kLanes, middle);
+    near_.assign(kLanes, point.input);
     for (int lane = with_itself ? 1 : 0; lane < kLanes; ++lane) {
-      if (!change(near[lane])) near[lane] = middle;
+      if (!change(near_[lane])) near_[lane] = point.input;
     }
-    lanes(in_lanes(near));
-    const double about = unit(middle, point.output);
+    set_lanes(near_);
+    lanes(in_lanes_);
+    const double about = unit(point.input, point.output);
+    int worst = -1;
     for (int lane = 0; lane < kLanes; ++lane) {
-      if (!with_itself && near[lane] == middle) continue;
       // The size changes little, and most changes are no gain: the unit is needed for few.
       constexpr double kPart = 0.9;
       const double error = lanes.error(0, lane);
-      if (!(error > point.error * about * kPart)) continue;
-      const double relative = error / unit(near[lane], point.output);
-      if (relative > point.error) point = {near[lane], point.output, relative};
+      if (!(error > point.error * about * kPart) || (!with_itself && near_[lane] == point.input)) continue;
+      const double relative = error / unit(near_[lane], point.output);
+      if (!(relative > point.error)) continue;
+      point.error = relative;
+      worst = lane;
     }
+    if (worst >= 0) point.input = near_[worst];
   }
 
   // Changes one to three numbers by 2^-2 to 2^-digits of themselves or of the length.
@@ -423,6 +428,8 @@ class Search {
   Range range_;
   std::vector<bool> fixed_;
   numeric::Random random_{1};
+  Inputs near_;                  // the neighbors of a point
+  std::vector<Lanes> in_lanes_;  // these, by number
 };
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <tuple>
+
 #include "codegen/bound/stated.hpp"
 #include "codegen/choose/catalogue.hpp"
 #include "codegen/choose/mask.hpp"
@@ -12,17 +15,27 @@ namespace {
 
 using namespace codegen;
 
-EmittedKernel printed(FinishedKernel kernel, int unmasked, const std::string& language) {
+struct Derived {
+  FinishedKernel kernel;
+  int unmasked;
+};
+
+// Once for each kernel: the search for its largest error takes seconds.
+const Derived& derived(const Family& family, int degree, const MaskOptions& mask) {
+  static std::map<std::tuple<std::string, int, std::string>, Derived> known;
+  const auto key = std::tuple(family.name, degree, mask.arguments());
+  if (const auto found = known.find(key); found != known.end()) return found->second;
+  FinishedKernel full = preferred_kernel(family, degree, Prefer::kSpeed);
+  const int unmasked = full.cost.operations();
+  FinishedKernel kernel = mask.empty() ? std::move(full) : masked_kernel(family, degree, Prefer::kSpeed, mask);
   bound::state_errors(kernel);
-  return {kernel.kernel.name, find_language(language).print_kernel(kernel, find_scalar("float")),
-          kernel.cost.operations(), unmasked};
+  return known.emplace(key, Derived{std::move(kernel), unmasked}).first->second;
 }
 
 EmittedKernel emitted(const Family& family, int degree, const std::string& language, const MaskOptions& mask) {
-  FinishedKernel full = preferred_kernel(family, degree, Prefer::kSpeed);
-  const int unmasked = full.cost.operations();
-  if (mask.empty()) return printed(std::move(full), unmasked, language);
-  return printed(masked_kernel(family, degree, Prefer::kSpeed, mask), unmasked, language);
+  const auto& [kernel, unmasked] = derived(family, degree, mask);
+  return {kernel.kernel.name, find_language(language).print_kernel(kernel, find_scalar("float")),
+          kernel.cost.operations(), unmasked};
 }
 
 MaskOptions mask_of(const Nonzero& nonzero) {
