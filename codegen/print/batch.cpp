@@ -111,7 +111,8 @@ std::string definition(const Driver& driver, const Overload& types) {
   }
   return filled(R"(
 $signature {
-  detail::run<$t>("$name", SH_BATCH_EVERY($name), {degree, n, {$inputs}, $out$half}, $count, $degree, $size);
+  static constexpr detail::Run<$t> kEvery[] = SH_BATCH_EVERY($name);
+  detail::run<$t>("$name", kEvery, {degree, n, {$inputs}, $out$half}, $count, $degree, $size);
 }
 )",
                 {{"signature", public_signature(driver, types)},

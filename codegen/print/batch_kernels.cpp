@@ -84,6 +84,35 @@ $body}
                  {"body", has_stages ? in_stages(kernel, loop, statement) : statement}});
 }
 
+// The size of a record in terms of Degree.
+std::string size_in_degree(int size, const Kernel& kernel) {
+  const int count = numeric::coefficient_count(kernel.degree);
+  if (size % count != 0) return std::to_string(size);
+  return (size == count ? "" : std::to_string(size / count) + " * ") + "((Degree + 1) * (Degree + 1))";
+}
+
+// A kernel of plain records, one by one.
+std::string record_kernel(const Kernel& kernel) {
+  const RecordSignature s = signature_of(kernel);
+  std::string inputs;
+  for (std::size_t j = 0; j < s.inputs.size(); ++j) {
+    inputs +=
+        (j == 0 ? "" : ", ") + filled("reinterpret_cast<const One<T>*>(from[$j]) + i * $size",
+                                      {{"j", std::to_string(j)}, {"size", size_in_degree(s.inputs[j].size, kernel)}});
+  }
+  return filled(R"(template <int Degree, class T>
+[[gnu::flatten]] void record(const T* const* from, std::size_t n, T* to) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const One<T>* const in[] = {$inputs};
+    auto* out = reinterpret_cast<One<T>*>(to) + i * $size;
+    $call
+  }
+}
+
+)",
+                {{"inputs", inputs}, {"size", size_in_degree(s.out_size, kernel)}, {"call", call_of(kernel)}});
+}
+
 // Where the instruction set has no conversions, the driver widens and runs the kernel: nothing is compiled twice.
 constexpr std::string_view kHalfKernel = R"(template <int Degree, int Size, class T>
 constexpr BlockKernel<T> half() {
@@ -119,6 +148,7 @@ std::string plan_row(const Driver& driver, std::size_t i) {
   std::string shared;
   if (shared_input(s) >= 0) shared = ", " + std::to_string(shared_input(s));
   if (!records.empty()) shared += ", " + records;
+  if (driver.spec.few) shared = ", -1, nullptr, record" + at_degree + ", T>";
   return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish$shared},\n",
                 {{"inputs", std::to_string(s.inputs.size())},
                  {"sizes", sizes},
@@ -185,6 +215,7 @@ std::string kernels_file(const Driver& driver) {
   std::string kernels = driver.spec.scalar_products ? "" : block_kernel("kernel", driver.last(), Loop::kPlain, rings);
   if (driver.adds_parts()) kernels += block_kernel("parts", driver.parts->back().kernel);
   if (driver.prepares()) kernels += block_kernel("kernel_prepared", driver.prepared->back().kernel, Loop::kFixed);
+  if (driver.spec.few) kernels += record_kernel(driver.last());
   if (driver.spec.half && !driver.spec.scalar_products) {
     kernels +=
         "#if defined(SH_BATCH_CONVERTS_HALVES)\n" + block_kernel("kernel_half", driver.last(), Loop::kHalf, rings);

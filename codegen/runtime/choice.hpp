@@ -5,7 +5,6 @@
 #pragma once
 
 #include <atomic>
-#include <initializer_list>
 
 #include "call.hpp"
 
@@ -40,12 +39,12 @@ void check(const char* driver, Call<T>& call, int inputs, int largest_degree, Ou
 template <class T>
 using Run = void (*)(const Call<T>&);
 
-/// Checks the call and runs the driver of the instruction set in use.
+/// Checks the call and runs the driver of the instruction set in use. The call stays where it was made: a copy would wait
+/// for what has just been written.
 template <class T>
-void run(const char* driver, std::initializer_list<Run<T>> every, Call<T> call, int inputs, int largest_degree,
-         OutputSize size) {
+void run(const char* driver, const Run<T>* every, Call<T>&& call, int inputs, int largest_degree, OutputSize size) {
   check(driver, call, inputs, largest_degree, size);
-  every.begin()[static_cast<int>(instruction_set())](call);
+  every[static_cast<int>(instruction_set())](call);
 }
 
 }  // namespace sh::batch::detail

@@ -63,6 +63,24 @@ class Lanes {
   typename Register::register_type part_[kParts];  // not of class type: g++ would keep a copy of each in memory
 };
 
+// One lane, for a few records. The compiler contracts it as it contracts registers, so that the bits are the same.
+template <class T>
+class One {
+ public:
+  using value_type = T;
+
+  One() noexcept {}  // NOLINT(modernize-use-equals-default): as above
+  explicit One(T value) noexcept : value_(value) {}
+
+  friend One operator+(const One& a, const One& b) noexcept { return One(a.value_ + b.value_); }
+  friend One operator-(const One& a, const One& b) noexcept { return One(a.value_ - b.value_); }
+  friend One operator*(const One& a, const One& b) noexcept { return One(a.value_ * b.value_); }
+  friend One operator-(const One& a) noexcept { return One(-a.value_); }
+
+ private:
+  T value_;
+};
+
 #if defined(__F16C__) || defined(__AVX512F__)
 #define SH_BATCH_CONVERTS_HALVES
 #endif

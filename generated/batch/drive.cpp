@@ -13,6 +13,7 @@
 namespace sh::batch::SH_BATCH_ISA {
 namespace {
 
+constexpr std::size_t kFew = 2;             // records that are faster one by one
 constexpr std::size_t kSegmentBlocks = 64;  // added up in lanes before they go to the total
 
 template <class T>
@@ -202,7 +203,6 @@ class Driver {
     const bool plain = call_.out.layout == Layout::kPlain;
     if (!plain && lanes == kBlock<T>) return copy(blocks_.out, count * size * kBlock<T>, call_.stream, to);
     if (!plain) return copy_lanes(blocks_.out, lanes, size, to);
-    constexpr std::size_t kFew = 2;  // records, which are written one by one
     const bool by_way_of_spare = call_.stream || (lanes < kBlock<T> && lanes % kTaken<T> > kFew);
     T* records = by_way_of_spare ? spare : to;
     const std::size_t written = by_way_of_spare ? kBlock<T> : lanes;
@@ -251,11 +251,30 @@ class Driver {
   T* room_ = memory_;
 };
 
+// Whether a call of a few records can do without blocks.
+template <class T>
+bool is_plain(const detail::Call<T>& call, const Plan<T>& plan) {
+  bool plain = call.out.layout == Layout::kPlain && call.half == nullptr;
+  for (int j = 0; j < plan.inputs; ++j) plain = plain && call.in[j].layout == Layout::kPlain;
+  return plain;
+}
+
+template <class T>
+[[gnu::noinline]] void drive_blocks(const detail::Call<T>& call, const Plan<T>& plan) {
+  Driver<T>(call, plan).run();
+}
+
 }  // namespace
 
 template <class T>
 void drive(const detail::Call<T>& call, const Plan<T>& plan) {
-  Driver<T>(call, plan).run();
+  if (plan.kernel_record != nullptr && !call.stream && call.n <= most_by_record<T>(call.degree) &&
+      is_plain(call, plan)) {
+    const T* in[detail::kMostInputs];
+    for (int j = 0; j < plan.inputs; ++j) in[j] = call.in[j].data;
+    return plan.kernel_record(static_cast<const T* const*>(in), call.n, call.out.data);
+  }
+  drive_blocks(call, plan);
 }
 template void drive(const detail::Call<float>&, const Plan<float>&);
 template void drive(const detail::Call<double>&, const Plan<double>&);

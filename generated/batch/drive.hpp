@@ -4,9 +4,26 @@
 // Licence:      MIT-0; paste it anywhere.
 #pragma once
 
+#include <cstddef>
+#include <limits>
+
 #include "lanes.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
+
+/// A kernel of n plain records, one by one.
+template <class T>
+using RecordKernel = void (*)(const T* const* in, std::size_t n, T* out);
+
+/// The most records that are faster one by one. Registers of two lanes do not make up for moving records to blocks; those
+/// of four do where records are long; others where records have more values than a register.
+template <class T>
+constexpr std::size_t most_by_record(int degree) {
+  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+  constexpr int kLanes = static_cast<int>(Lanes<T>::kWidth);
+  if (kLanes == 2 || degree < 2 || (kLanes == 4 && degree < 4)) return kAll;
+  return degree == 2 ? 4 : 2;
+}
 
 /// A driver at one degree: its kernel and the sizes of its records.
 template <class T>
@@ -25,6 +42,7 @@ struct Plan {
   detail::Once<double> finish = nullptr;
   int shared = -1;  // the input that is always shared, and that the kernel takes as scalars; none: -1
   BlockKernel<T> kernel_records = nullptr;  // from plain records of input 0 to plain records
+  RecordKernel<T> kernel_record = nullptr;  // for up to most_by_record(degree)
 };
 
 /// The kernel where T is float; none for double.

@@ -102,151 +102,188 @@ void relight_colored(const detail::Call<T>& call);
 }  // namespace avx512
 
 void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
-  detail::run<float>("basis", SH_BATCH_EVERY(basis), {degree, n, {directions}, out}, 1, 10, {1, 0});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(basis);
+  detail::run<float>("basis", kEvery, {degree, n, {directions}, out}, 1, 10, {1, 0});
 }
 
 void basis(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
-  detail::run<double>("basis", SH_BATCH_EVERY(basis), {degree, n, {directions}, out}, 1, 10, {1, 0});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(basis);
+  detail::run<double>("basis", kEvery, {degree, n, {directions}, out}, 1, 10, {1, 0});
 }
 
 void basis_gradient(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
-  detail::run<float>("basis_gradient", SH_BATCH_EVERY(basis_gradient), {degree, n, {directions}, out}, 1, 10, {4, 0});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(basis_gradient);
+  detail::run<float>("basis_gradient", kEvery, {degree, n, {directions}, out}, 1, 10, {4, 0});
 }
 
 void basis_gradient(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
-  detail::run<double>("basis_gradient", SH_BATCH_EVERY(basis_gradient), {degree, n, {directions}, out}, 1, 10, {4, 0});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(basis_gradient);
+  detail::run<double>("basis_gradient", kEvery, {degree, n, {directions}, out}, 1, 10, {4, 0});
 }
 
 void evaluate(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
-  detail::run<float>("evaluate", SH_BATCH_EVERY(evaluate), {degree, n, {c, directions}, out}, 2, 10, {0, 1});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(evaluate);
+  detail::run<float>("evaluate", kEvery, {degree, n, {c, directions}, out}, 2, 10, {0, 1});
 }
 
 void evaluate(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
-  detail::run<double>("evaluate", SH_BATCH_EVERY(evaluate), {degree, n, {c, directions}, out}, 2, 10, {0, 1});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(evaluate);
+  detail::run<double>("evaluate", kEvery, {degree, n, {c, directions}, out}, 2, 10, {0, 1});
 }
 
 void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out) {
-  detail::run<float>("evaluate", SH_BATCH_EVERY(evaluate), {degree, n, {{nullptr, c.layout}, directions}, out, c.data}, 2, 10, {0, 1});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(evaluate);
+  detail::run<float>("evaluate", kEvery, {degree, n, {{nullptr, c.layout}, directions}, out, c.data}, 2, 10, {0, 1});
 }
 
 void evaluate_rgb(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
-  detail::run<float>("evaluate_rgb", SH_BATCH_EVERY(evaluate_rgb), {degree, n, {c, directions}, out}, 2, 10, {0, 3});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(evaluate_rgb);
+  detail::run<float>("evaluate_rgb", kEvery, {degree, n, {c, directions}, out}, 2, 10, {0, 3});
 }
 
 void evaluate_rgb(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
-  detail::run<double>("evaluate_rgb", SH_BATCH_EVERY(evaluate_rgb), {degree, n, {c, directions}, out}, 2, 10, {0, 3});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(evaluate_rgb);
+  detail::run<double>("evaluate_rgb", kEvery, {degree, n, {c, directions}, out}, 2, 10, {0, 3});
 }
 
 void evaluate_rgb(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out) {
-  detail::run<float>("evaluate_rgb", SH_BATCH_EVERY(evaluate_rgb), {degree, n, {{nullptr, c.layout}, directions}, out, c.data}, 2, 10, {0, 3});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(evaluate_rgb);
+  detail::run<float>("evaluate_rgb", kEvery, {degree, n, {{nullptr, c.layout}, directions}, out, c.data}, 2, 10, {0, 3});
 }
 
 void project(int degree, std::size_t n, Records<const float> directions, Records<const float> weight, float* sum) {
-  detail::run<float>("project", SH_BATCH_EVERY(project), {degree, n, {directions, weight}, plain(sum)}, 2, 10, {0, 0});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(project);
+  detail::run<float>("project", kEvery, {degree, n, {directions, weight}, plain(sum)}, 2, 10, {0, 0});
 }
 
 void project(int degree, std::size_t n, Records<const double> directions, Records<const double> weight, double* sum) {
-  detail::run<double>("project", SH_BATCH_EVERY(project), {degree, n, {directions, weight}, plain(sum)}, 2, 10, {0, 0});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(project);
+  detail::run<double>("project", kEvery, {degree, n, {directions, weight}, plain(sum)}, 2, 10, {0, 0});
 }
 
 void rotate(int degree, std::size_t n, Records<const float> r, Records<const float> c, Records<float> out) {
-  detail::run<float>("rotate", SH_BATCH_EVERY(rotate), {degree, n, {r, c}, out}, 2, 10, {1, 0});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(rotate);
+  detail::run<float>("rotate", kEvery, {degree, n, {r, c}, out}, 2, 10, {1, 0});
 }
 
 void rotate(int degree, std::size_t n, Records<const double> r, Records<const double> c, Records<double> out) {
-  detail::run<double>("rotate", SH_BATCH_EVERY(rotate), {degree, n, {r, c}, out}, 2, 10, {1, 0});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(rotate);
+  detail::run<double>("rotate", kEvery, {degree, n, {r, c}, out}, 2, 10, {1, 0});
 }
 
 void product(int degree, std::size_t n, Records<const float> a, Records<const float> b, Records<float> out) {
-  detail::run<float>("product", SH_BATCH_EVERY(product), {degree, n, {a, b}, out}, 2, 6, {1, 0});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(product);
+  detail::run<float>("product", kEvery, {degree, n, {a, b}, out}, 2, 6, {1, 0});
 }
 
 void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out) {
-  detail::run<double>("product", SH_BATCH_EVERY(product), {degree, n, {a, b}, out}, 2, 6, {1, 0});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(product);
+  detail::run<double>("product", kEvery, {degree, n, {a, b}, out}, 2, 6, {1, 0});
 }
 
 void transfer_apply(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<float> out) {
-  detail::run<float>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {visibility, shared(samples)}, out}, 2, 6, {1, 0});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(transfer_apply);
+  detail::run<float>("transfer_apply", kEvery, {degree, n, {visibility, shared(samples)}, out}, 2, 6, {1, 0});
 }
 
 void transfer_apply(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<double> out) {
-  detail::run<double>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {visibility, shared(samples)}, out}, 2, 6, {1, 0});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(transfer_apply);
+  detail::run<double>("transfer_apply", kEvery, {degree, n, {visibility, shared(samples)}, out}, 2, 6, {1, 0});
 }
 
 void transfer_apply(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<float> out) {
-  detail::run<float>("transfer_apply", SH_BATCH_EVERY(transfer_apply), {degree, n, {{nullptr, visibility.layout}, shared(samples)}, out, visibility.data}, 2, 6, {1, 0});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(transfer_apply);
+  detail::run<float>("transfer_apply", kEvery, {degree, n, {{nullptr, visibility.layout}, shared(samples)}, out, visibility.data}, 2, 6, {1, 0});
 }
 
 void transfer_apply_rgb(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<float> out) {
-  detail::run<float>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {visibility, shared(samples)}, out}, 2, 6, {3, 0});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(transfer_apply_rgb);
+  detail::run<float>("transfer_apply_rgb", kEvery, {degree, n, {visibility, shared(samples)}, out}, 2, 6, {3, 0});
 }
 
 void transfer_apply_rgb(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<double> out) {
-  detail::run<double>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {visibility, shared(samples)}, out}, 2, 6, {3, 0});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(transfer_apply_rgb);
+  detail::run<double>("transfer_apply_rgb", kEvery, {degree, n, {visibility, shared(samples)}, out}, 2, 6, {3, 0});
 }
 
 void transfer_apply_rgb(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<float> out) {
-  detail::run<float>("transfer_apply_rgb", SH_BATCH_EVERY(transfer_apply_rgb), {degree, n, {{nullptr, visibility.layout}, shared(samples)}, out, visibility.data}, 2, 6, {3, 0});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(transfer_apply_rgb);
+  detail::run<float>("transfer_apply_rgb", kEvery, {degree, n, {{nullptr, visibility.layout}, shared(samples)}, out, visibility.data}, 2, 6, {3, 0});
 }
 
 void transfer_glossy(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
-  detail::run<float>("transfer_glossy", SH_BATCH_EVERY(transfer_glossy), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 6, {0, 1});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(transfer_glossy);
+  detail::run<float>("transfer_glossy", kEvery, {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 6, {0, 1});
 }
 
 void transfer_glossy(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<const double> lobe, Records<const double> directions, Records<double> out) {
-  detail::run<double>("transfer_glossy", SH_BATCH_EVERY(transfer_glossy), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 6, {0, 1});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(transfer_glossy);
+  detail::run<double>("transfer_glossy", kEvery, {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 6, {0, 1});
 }
 
 void transfer_glossy(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
-  detail::run<float>("transfer_glossy", SH_BATCH_EVERY(transfer_glossy), {degree, n, {{nullptr, visibility.layout}, shared(samples), lobe, directions}, out, visibility.data}, 4, 6, {0, 1});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(transfer_glossy);
+  detail::run<float>("transfer_glossy", kEvery, {degree, n, {{nullptr, visibility.layout}, shared(samples), lobe, directions}, out, visibility.data}, 4, 6, {0, 1});
 }
 
 void transfer_glossy_rgb(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
-  detail::run<float>("transfer_glossy_rgb", SH_BATCH_EVERY(transfer_glossy_rgb), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 6, {0, 3});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(transfer_glossy_rgb);
+  detail::run<float>("transfer_glossy_rgb", kEvery, {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 6, {0, 3});
 }
 
 void transfer_glossy_rgb(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<const double> lobe, Records<const double> directions, Records<double> out) {
-  detail::run<double>("transfer_glossy_rgb", SH_BATCH_EVERY(transfer_glossy_rgb), {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 6, {0, 3});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(transfer_glossy_rgb);
+  detail::run<double>("transfer_glossy_rgb", kEvery, {degree, n, {visibility, shared(samples), lobe, directions}, out}, 4, 6, {0, 3});
 }
 
 void transfer_glossy_rgb(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
-  detail::run<float>("transfer_glossy_rgb", SH_BATCH_EVERY(transfer_glossy_rgb), {degree, n, {{nullptr, visibility.layout}, shared(samples), lobe, directions}, out, visibility.data}, 4, 6, {0, 3});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(transfer_glossy_rgb);
+  detail::run<float>("transfer_glossy_rgb", kEvery, {degree, n, {{nullptr, visibility.layout}, shared(samples), lobe, directions}, out, visibility.data}, 4, 6, {0, 3});
 }
 
 void relight(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {
-  detail::run<float>("relight", SH_BATCH_EVERY(relight), {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 1});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(relight);
+  detail::run<float>("relight", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 1});
 }
 
 void relight(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out) {
-  detail::run<double>("relight", SH_BATCH_EVERY(relight), {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 1});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(relight);
+  detail::run<double>("relight", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 1});
 }
 
 void relight(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out) {
-  detail::run<float>("relight", SH_BATCH_EVERY(relight), {degree, n, {{nullptr, transfer.layout}, shared(light)}, out, transfer.data}, 2, 10, {0, 1});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(relight);
+  detail::run<float>("relight", kEvery, {degree, n, {{nullptr, transfer.layout}, shared(light)}, out, transfer.data}, 2, 10, {0, 1});
 }
 
 void relight_rgb(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {
-  detail::run<float>("relight_rgb", SH_BATCH_EVERY(relight_rgb), {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(relight_rgb);
+  detail::run<float>("relight_rgb", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
 }
 
 void relight_rgb(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out) {
-  detail::run<double>("relight_rgb", SH_BATCH_EVERY(relight_rgb), {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(relight_rgb);
+  detail::run<double>("relight_rgb", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
 }
 
 void relight_rgb(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out) {
-  detail::run<float>("relight_rgb", SH_BATCH_EVERY(relight_rgb), {degree, n, {{nullptr, transfer.layout}, shared(light)}, out, transfer.data}, 2, 10, {0, 3});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(relight_rgb);
+  detail::run<float>("relight_rgb", kEvery, {degree, n, {{nullptr, transfer.layout}, shared(light)}, out, transfer.data}, 2, 10, {0, 3});
 }
 
 void relight_colored(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {
-  detail::run<float>("relight_colored", SH_BATCH_EVERY(relight_colored), {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(relight_colored);
+  detail::run<float>("relight_colored", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
 }
 
 void relight_colored(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out) {
-  detail::run<double>("relight_colored", SH_BATCH_EVERY(relight_colored), {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
+  static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(relight_colored);
+  detail::run<double>("relight_colored", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
 }
 
 void relight_colored(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out) {
-  detail::run<float>("relight_colored", SH_BATCH_EVERY(relight_colored), {degree, n, {{nullptr, transfer.layout}, shared(light)}, out, transfer.data}, 2, 10, {0, 3});
+  static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(relight_colored);
+  detail::run<float>("relight_colored", kEvery, {degree, n, {{nullptr, transfer.layout}, shared(light)}, out, transfer.data}, 2, 10, {0, 3});
 }
 
 }  // namespace sh::batch

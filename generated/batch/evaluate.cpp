@@ -25,6 +25,15 @@ template <int Degree, class T>
   });
 }
 
+template <int Degree, class T>
+[[gnu::flatten]] void record(const T* const* from, std::size_t n, T* to) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const One<T>* const in[] = {reinterpret_cast<const One<T>*>(from[0]) + i * ((Degree + 1) * (Degree + 1)), reinterpret_cast<const One<T>*>(from[1]) + i * 3};
+    auto* out = reinterpret_cast<One<T>*>(to) + i * 1;
+    out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
+  }
+}
+
 #if defined(SH_BATCH_CONVERTS_HALVES)
 template <int Degree, int Size>
 [[gnu::flatten]] void kernel_half(const Blocks<float>& blocks) {
@@ -47,17 +56,17 @@ constexpr BlockKernel<T> half() {
 template <class T>
 void evaluate(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {1, 3}, 1, false, kernel<0, T>, half<0, 1, T>(), detail::prepare_evaluate, 1, kernel_prepared<0, T>, nullptr},
-      {2, {4, 3}, 1, false, kernel<1, T>, half<1, 4, T>(), detail::prepare_evaluate, 4, kernel_prepared<1, T>, nullptr},
-      {2, {9, 3}, 1, false, kernel<2, T>, half<2, 9, T>(), detail::prepare_evaluate, 9, kernel_prepared<2, T>, nullptr},
-      {2, {16, 3}, 1, false, kernel<3, T>, half<3, 16, T>(), detail::prepare_evaluate, 16, kernel_prepared<3, T>, nullptr},
-      {2, {25, 3}, 1, false, kernel<4, T>, half<4, 25, T>(), detail::prepare_evaluate, 25, kernel_prepared<4, T>, nullptr},
-      {2, {36, 3}, 1, false, kernel<5, T>, half<5, 36, T>(), detail::prepare_evaluate, 36, kernel_prepared<5, T>, nullptr},
-      {2, {49, 3}, 1, false, kernel<6, T>, half<6, 49, T>(), detail::prepare_evaluate, 49, kernel_prepared<6, T>, nullptr},
-      {2, {64, 3}, 1, false, kernel<7, T>, half<7, 64, T>(), nullptr, 0, nullptr, nullptr},
-      {2, {81, 3}, 1, false, kernel<8, T>, half<8, 81, T>(), nullptr, 0, nullptr, nullptr},
-      {2, {100, 3}, 1, false, kernel<9, T>, half<9, 100, T>(), nullptr, 0, nullptr, nullptr},
-      {2, {121, 3}, 1, false, kernel<10, T>, half<10, 121, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {1, 3}, 1, false, kernel<0, T>, half<0, 1, T>(), detail::prepare_evaluate, 1, kernel_prepared<0, T>, nullptr, -1, nullptr, record<0, T>},
+      {2, {4, 3}, 1, false, kernel<1, T>, half<1, 4, T>(), detail::prepare_evaluate, 4, kernel_prepared<1, T>, nullptr, -1, nullptr, record<1, T>},
+      {2, {9, 3}, 1, false, kernel<2, T>, half<2, 9, T>(), detail::prepare_evaluate, 9, kernel_prepared<2, T>, nullptr, -1, nullptr, record<2, T>},
+      {2, {16, 3}, 1, false, kernel<3, T>, half<3, 16, T>(), detail::prepare_evaluate, 16, kernel_prepared<3, T>, nullptr, -1, nullptr, record<3, T>},
+      {2, {25, 3}, 1, false, kernel<4, T>, half<4, 25, T>(), detail::prepare_evaluate, 25, kernel_prepared<4, T>, nullptr, -1, nullptr, record<4, T>},
+      {2, {36, 3}, 1, false, kernel<5, T>, half<5, 36, T>(), detail::prepare_evaluate, 36, kernel_prepared<5, T>, nullptr, -1, nullptr, record<5, T>},
+      {2, {49, 3}, 1, false, kernel<6, T>, half<6, 49, T>(), detail::prepare_evaluate, 49, kernel_prepared<6, T>, nullptr, -1, nullptr, record<6, T>},
+      {2, {64, 3}, 1, false, kernel<7, T>, half<7, 64, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<7, T>},
+      {2, {81, 3}, 1, false, kernel<8, T>, half<8, 81, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<8, T>},
+      {2, {100, 3}, 1, false, kernel<9, T>, half<9, 100, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<9, T>},
+      {2, {121, 3}, 1, false, kernel<10, T>, half<10, 121, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<10, T>},
   };
   drive(call, kPlans[call.degree]);
 }

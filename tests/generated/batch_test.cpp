@@ -120,6 +120,54 @@ TYPED_TEST(BatchDrivers, GiveARecordTheSameBitsWhereverItStands) {
   }
 }
 
+// Runs run(n, first record) for all records at once, then for one and two at a time, and expects the same values.
+template <class T, class Run>
+void expect_same_in_small_calls(std::size_t n, std::size_t size, const std::string& what, const Run& run) {
+  std::vector<T> all(n * size);
+  run(n, 0, all.data());
+  for (const std::size_t few : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{7}}) {
+    std::vector<T> parts(n * size);
+    for (std::size_t i = 0; i < n; i += few) run(std::min(few, n - i), i, parts.data() + i * size);
+    EXPECT_EQ(parts, all) << what << ", " << few << " records at a time";
+  }
+}
+
+TYPED_TEST(BatchDrivers, GiveTheSameBitsInSmallCallsAtEveryDegree) {
+  using T = TypeParam;
+  constexpr std::size_t n = 43;
+  std::mt19937 random(17);
+  std::uniform_real_distribution<T> uniform(-1, 1);
+  std::vector<T> d(3 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::vector<T> direction = subjects<T>().front().record(0, random);
+    std::copy(direction.begin(), direction.end(), d.begin() + static_cast<std::ptrdiff_t>(3 * i));
+  }
+  std::vector<T> c(3 * coefficient_count(10) * n);
+  for (T& value : c) value = uniform(random);
+  for (int degree = 0; degree <= 10; ++degree) {
+    const auto size = static_cast<std::size_t>(coefficient_count(degree));
+    const std::string at = " of degree " + std::to_string(degree);
+    const auto directions = [&](std::size_t i) { return batch::plain<const T>(d.data() + 3 * i); };
+    const auto coefficients = [&](std::size_t i, std::size_t sets) {
+      return batch::plain<const T>(c.data() + sets * size * i);
+    };
+    on_every_set([&] {
+      expect_same_in_small_calls<T>(n, size, "basis" + at, [&](std::size_t count, std::size_t i, T* out) {
+        batch::basis(degree, count, directions(i), batch::plain(out));
+      });
+      expect_same_in_small_calls<T>(n, 4 * size, "gradient" + at, [&](std::size_t count, std::size_t i, T* out) {
+        batch::basis_gradient(degree, count, directions(i), batch::plain(out));
+      });
+      expect_same_in_small_calls<T>(n, 1, "evaluate" + at, [&](std::size_t count, std::size_t i, T* out) {
+        batch::evaluate(degree, count, coefficients(i, 1), directions(i), batch::plain(out));
+      });
+      expect_same_in_small_calls<T>(n, 3, "evaluate_rgb" + at, [&](std::size_t count, std::size_t i, T* out) {
+        batch::evaluate_rgb(degree, count, coefficients(i, 3), directions(i), batch::plain(out));
+      });
+    });
+  }
+}
+
 TYPED_TEST(BatchDrivers, TakeOneRecordForAll) {
   using T = TypeParam;
   for (const Subject<T>& subject : subjects<T>()) {

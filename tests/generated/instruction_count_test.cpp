@@ -1,0 +1,98 @@
+// Instructions of the drivers on AVX2, counted by callgrind: the same on every machine, unlike times.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "tests/temporary_folder.hpp"
+
+namespace sh::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A driver at a degree with so many records.
+struct Case {
+  std::string family;
+  std::string scalar;
+  int degree = 0;
+  long records = 0;
+  auto operator<=>(const Case&) const = default;
+};
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+  return out << c.family << " " << c.scalar << " " << c.degree << ", " << c.records << " records";
+}
+
+struct Instructions {
+  double batch = 0;
+  double loop = 0;
+};
+
+// Adds what one dump of callgrind says: a line "desc: Trigger: Client Request: NAME", and the count of its end.
+void add_dump(const fs::path& dump, std::map<Case, Instructions>& counts) {
+  const std::string mark = "Client Request: ";
+  std::ifstream file(dump);
+  std::string name;
+  double total = 0;
+  for (std::string line; std::getline(file, line);) {
+    if (const auto at = line.find(mark); at != std::string::npos) name = line.substr(at + mark.size());
+    if (line.starts_with("totals: ")) total = std::stod(line.substr(8));
+  }
+  std::istringstream words(name);
+  Case of;
+  std::string way;
+  if (!(words >> of.family >> of.scalar >> of.degree >> of.records >> way)) return;  // the dump of the end
+  (way == "batch" ? counts[of].batch : counts[of].loop) = total;
+}
+
+class InstructionCounts : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+#if defined(SHFORGE_VALGRIND)
+    const TemporaryFolder folder;
+    const std::string command = std::string("'" SHFORGE_VALGRIND "' --tool=callgrind --callgrind-out-file='") +
+                                (folder.path() / "dump").string() +
+                                "' '" SHFORGE_BIN_DIR "/instruction_probe' >/dev/null 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+    for (const auto& entry : fs::directory_iterator(folder.path())) add_dump(entry.path(), counts());
+    ASSERT_GE(counts().size(), 2U * 2 * 11 * 4);
+    for (const auto& [of, count] : counts()) ASSERT_TRUE(count.batch > 0 && count.loop > 0) << of;
+#endif
+  }
+  void SetUp() override {
+    if (counts().empty()) GTEST_SKIP() << "needs valgrind, and an x86 build without sanitizers";
+  }
+  static std::map<Case, Instructions>& counts() {
+    static std::map<Case, Instructions> counts;
+    return counts;
+  }
+};
+
+// Degrees from which moving records to registers and back costs less than registers save, counted in instructions.
+int first_degree(const Case& of) {
+  if (of.scalar == "double") return 5;
+  return of.family == "basis" ? 4 : 2;
+}
+
+TEST_F(InstructionCounts, OfPlainBatchesAreNoMoreThanThoseOfALoopOverTheHeader) {
+  constexpr double kCall = 60;  // for the call itself
+  for (const auto& [of, count] : counts()) {
+    if (of.records < 100 || of.degree < first_degree(of)) continue;
+    EXPECT_LE(count.batch, count.loop + kCall) << of;
+  }
+}
+
+TEST_F(InstructionCounts, OfOneRecordAreThoseOfTheHeaderAndOfOneCall) {
+  constexpr double kCall = 180;  // largest seen: 173, g++ 12
+  for (const auto& [of, count] : counts()) {
+    if (of.records != 1 || of.family != "basis") continue;
+    EXPECT_LE(count.batch, count.loop + kCall) << of;
+  }
+}
+
+}  // namespace
+}  // namespace sh::test
