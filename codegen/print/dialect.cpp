@@ -32,7 +32,7 @@ Dialect cpp() {
   d.shared_head = "template <class T, class S = T>\nconstexpr ";
   d.shared_array = "const S* $name";
   d.shared_element = "T($element)";
-  d.square_root = "detail::square_root";
+  d.square_root = "detail::square_root<T>";
   d.select = "detail::choose($a < $b, $then, $otherwise)";
   d.table =
       "namespace detail {\n\n// Constants of the loop, row by row.\ntemplate <class S>\n"

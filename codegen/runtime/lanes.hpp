@@ -7,6 +7,7 @@
 // two instruction sets by one name, or the linker would mix them.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <utility>
@@ -25,6 +26,48 @@ using Isa = xsimd::sse2;
 #else
 using Isa = xsimd::default_arch;
 #endif
+
+// a b + c, a b - c and c - a b, rounded once where the instruction set has FMA.
+#if defined(__AVX512F__)  // xsimd 8 leaves these to the compiler's contraction
+inline __m512 multiply_add(__m512 a, __m512 b, __m512 c) noexcept { return _mm512_fmadd_ps(a, b, c); }
+inline __m512d multiply_add(__m512d a, __m512d b, __m512d c) noexcept { return _mm512_fmadd_pd(a, b, c); }
+inline __m512 multiply_subtract(__m512 a, __m512 b, __m512 c) noexcept { return _mm512_fmsub_ps(a, b, c); }
+inline __m512d multiply_subtract(__m512d a, __m512d b, __m512d c) noexcept { return _mm512_fmsub_pd(a, b, c); }
+inline __m512 subtract_product(__m512 c, __m512 a, __m512 b) noexcept { return _mm512_fnmadd_ps(a, b, c); }
+inline __m512d subtract_product(__m512d c, __m512d a, __m512d b) noexcept { return _mm512_fnmadd_pd(a, b, c); }
+#else
+template <class Register>
+Register multiply_add(const Register& a, const Register& b, const Register& c) noexcept {
+  return xsimd::fma(a, b, c);
+}
+template <class Register>
+Register multiply_subtract(const Register& a, const Register& b, const Register& c) noexcept {
+  return xsimd::fms(a, b, c);
+}
+template <class Register>
+Register subtract_product(const Register& c, const Register& a, const Register& b) noexcept {
+  return xsimd::fnma(a, b, c);
+}
+#endif
+
+// A product that is not rounded yet. Where the instruction set has FMA, a sum with it is rounded once; the types decide
+// that, not the compiler, so that every compiler gives a record the same bits, alone and in a register. V: Lanes or One.
+template <class V>
+class Product {
+ public:
+  Product(const V& a, const V& b) noexcept : a_(a), b_(b) {}
+  operator V() const noexcept { return V::product(a_, b_); }  // NOLINT(google-explicit-constructor): a number
+
+  friend V operator+(const Product& p, const V& c) noexcept { return V::multiply_add(p.a_, p.b_, c); }
+  friend V operator+(const V& c, const Product& p) noexcept { return V::multiply_add(p.a_, p.b_, c); }
+  friend V operator+(const Product& p, const Product& q) noexcept { return p + V(q); }
+  friend V operator-(const Product& p, const V& c) noexcept { return V::multiply_subtract(p.a_, p.b_, c); }
+  friend V operator-(const V& c, const Product& p) noexcept { return V::subtract_product(c, p.a_, p.b_); }
+  friend V operator-(const Product& p, const Product& q) noexcept { return p - V(q); }
+
+ private:
+  V a_, b_;
+};
 
 // Some lanes of one value of a block. A block's value takes 64 bytes, a register perhaps less: successive elements of
 // an array of Lanes are 64 bytes apart, and only the first register of each is used, so that an array of Lanes lies on
@@ -48,7 +91,7 @@ class Lanes {
 
   friend Lanes operator+(const Lanes& a, const Lanes& b) noexcept { return a.get() + b.get(); }
   friend Lanes operator-(const Lanes& a, const Lanes& b) noexcept { return a.get() - b.get(); }
-  friend Lanes operator*(const Lanes& a, const Lanes& b) noexcept { return a.get() * b.get(); }
+  friend Product<Lanes> operator*(const Lanes& a, const Lanes& b) noexcept { return {a, b}; }
   friend Lanes operator/(const Lanes& a, const Lanes& b) noexcept { return a.get() / b.get(); }
   friend Lanes operator-(const Lanes& a) noexcept { return -a.get(); }
   friend auto operator<(const Lanes& a, const Lanes& b) noexcept { return a.get() < b.get(); }
@@ -57,13 +100,24 @@ class Lanes {
     return xsimd::select(condition, a.get(), b.get());
   }
 
+  static Lanes product(const Lanes& a, const Lanes& b) noexcept { return a.get() * b.get(); }
+  static Lanes multiply_add(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
+    return Register(SH_BATCH_ISA::multiply_add(a.get(), b.get(), c.get()));
+  }
+  static Lanes multiply_subtract(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
+    return Register(SH_BATCH_ISA::multiply_subtract(a.get(), b.get(), c.get()));
+  }
+  static Lanes subtract_product(const Lanes& c, const Lanes& a, const Lanes& b) noexcept {
+    return Register(SH_BATCH_ISA::subtract_product(c.get(), a.get(), b.get()));
+  }
+
  private:
   [[nodiscard]] Register get() const noexcept { return Register(part_[0]); }
 
   typename Register::register_type part_[kParts];  // not of class type: g++ would keep a copy of each in memory
 };
 
-// One lane, for a few records. The compiler contracts it as it contracts registers, so that the bits are the same.
+// One lane, for a few records.
 template <class T>
 class One {
  public:
@@ -74,8 +128,19 @@ class One {
 
   friend One operator+(const One& a, const One& b) noexcept { return One(a.value_ + b.value_); }
   friend One operator-(const One& a, const One& b) noexcept { return One(a.value_ - b.value_); }
-  friend One operator*(const One& a, const One& b) noexcept { return One(a.value_ * b.value_); }
+  friend Product<One> operator*(const One& a, const One& b) noexcept { return {a, b}; }
   friend One operator-(const One& a) noexcept { return One(-a.value_); }
+
+  static One product(const One& a, const One& b) noexcept { return One(a.value_ * b.value_); }
+  static One multiply_add(const One& a, const One& b, const One& c) noexcept {
+#if defined(__FMA__)
+    return One(std::fma(a.value_, b.value_, c.value_));
+#else
+    return product(a, b) + c;
+#endif
+  }
+  static One multiply_subtract(const One& a, const One& b, const One& c) noexcept { return multiply_add(a, b, -c); }
+  static One subtract_product(const One& c, const One& a, const One& b) noexcept { return multiply_add(-a, b, c); }
 
  private:
   T value_;

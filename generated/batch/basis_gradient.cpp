@@ -17,22 +17,32 @@ template <int Degree, class T>
   });
 }
 
+template <int Degree, class T>
+[[gnu::flatten]] void record(const T* const* from, std::size_t n, T* to) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const One<T>* const in[] = {reinterpret_cast<const One<T>*>(from[0]) + i * 3};
+    auto* out = reinterpret_cast<One<T>*>(to) + i * 4 * ((Degree + 1) * (Degree + 1));
+    constexpr int kCount = (Degree + 1) * (Degree + 1);
+    sh::basis_gradient<Degree>(in[0][0], in[0][1], in[0][2], out, out + kCount, out + 2 * kCount, out + 3 * kCount);
+  }
+}
+
 }  // namespace
 
 template <class T>
 void basis_gradient(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {1, {3}, 4, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 16, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 36, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 64, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 100, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 144, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 196, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 256, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 324, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 400, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {1, {3}, 484, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {1, {3}, 4, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<0, T>},
+      {1, {3}, 16, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<1, T>},
+      {1, {3}, 36, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<2, T>},
+      {1, {3}, 64, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<3, T>},
+      {1, {3}, 100, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<4, T>},
+      {1, {3}, 144, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<5, T>},
+      {1, {3}, 196, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<6, T>},
+      {1, {3}, 256, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<7, T>},
+      {1, {3}, 324, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<8, T>},
+      {1, {3}, 400, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<9, T>},
+      {1, {3}, 484, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<10, T>},
   };
   drive(call, kPlans[call.degree]);
 }

@@ -13,7 +13,6 @@
 namespace sh::batch::SH_BATCH_ISA {
 namespace {
 
-constexpr std::size_t kFew = 2;             // records that are faster one by one
 constexpr std::size_t kSegmentBlocks = 64;  // added up in lanes before they go to the total
 
 template <class T>
@@ -203,6 +202,7 @@ class Driver {
     const bool plain = call_.out.layout == Layout::kPlain;
     if (!plain && lanes == kBlock<T>) return copy(blocks_.out, count * size * kBlock<T>, call_.stream, to);
     if (!plain) return copy_lanes(blocks_.out, lanes, size, to);
+    constexpr std::size_t kFew = 2;  // records, which are written one by one
     const bool by_way_of_spare = call_.stream || (lanes < kBlock<T> && lanes % kTaken<T> > kFew);
     T* records = by_way_of_spare ? spare : to;
     const std::size_t written = by_way_of_spare ? kBlock<T> : lanes;
@@ -251,7 +251,7 @@ class Driver {
   T* room_ = memory_;
 };
 
-// Whether a call of a few records can do without blocks.
+// Whether records can do without blocks.
 template <class T>
 bool is_plain(const detail::Call<T>& call, const Plan<T>& plan) {
   bool plain = call.out.layout == Layout::kPlain && call.half == nullptr;
@@ -264,17 +264,27 @@ template <class T>
   Driver<T>(call, plan).run();
 }
 
+// The last records of a call.
+template <class T>
+void drive_records(const detail::Call<T>& call, const Plan<T>& plan, std::size_t first) {
+  const T* in[detail::kMostInputs];
+  for (int j = 0; j < plan.inputs; ++j) in[j] = call.in[j].data + first * plan.in[j];
+  plan.kernel_record(static_cast<const T* const*>(in), call.n - first, call.out.data + first * plan.out);
+}
+
 }  // namespace
 
 template <class T>
 void drive(const detail::Call<T>& call, const Plan<T>& plan) {
-  if (plan.kernel_record != nullptr && !call.stream && call.n <= most_by_record<T>(call.degree) &&
-      is_plain(call, plan)) {
-    const T* in[detail::kMostInputs];
-    for (int j = 0; j < plan.inputs; ++j) in[j] = call.in[j].data;
-    return plan.kernel_record(static_cast<const T* const*>(in), call.n, call.out.data);
-  }
-  drive_blocks(call, plan);
+  if (plan.kernel_record == nullptr || call.stream || !is_plain(call, plan)) return drive_blocks(call, plan);
+  const std::size_t most = most_by_record<T>(call.degree);
+  if (call.n <= most) return drive_records(call, plan, 0);
+  const std::size_t rest = call.n % kBlock<T>;
+  if (rest == 0 || rest > most) return drive_blocks(call, plan);
+  detail::Call<T> blocks = call;
+  blocks.n -= rest;
+  drive_blocks(blocks, plan);
+  drive_records(call, plan, blocks.n);
 }
 template void drive(const detail::Call<float>&, const Plan<float>&);
 template void drive(const detail::Call<double>&, const Plan<double>&);

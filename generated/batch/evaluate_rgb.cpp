@@ -16,6 +16,15 @@ template <int Degree, class T>
   });
 }
 
+template <int Degree, class T>
+[[gnu::flatten]] void record(const T* const* from, std::size_t n, T* to) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const One<T>* const in[] = {reinterpret_cast<const One<T>*>(from[0]) + i * 3 * ((Degree + 1) * (Degree + 1)), reinterpret_cast<const One<T>*>(from[1]) + i * 3};
+    auto* out = reinterpret_cast<One<T>*>(to) + i * 3;
+    sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
+  }
+}
+
 #if defined(SH_BATCH_CONVERTS_HALVES)
 template <int Degree, int Size>
 [[gnu::flatten]] void kernel_half(const Blocks<float>& blocks) {
@@ -38,17 +47,17 @@ constexpr BlockKernel<T> half() {
 template <class T>
 void evaluate_rgb(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {3, 3}, 3, false, kernel<0, T>, half<0, 3, T>(), nullptr, 0, nullptr, nullptr},
-      {2, {12, 3}, 3, false, kernel<1, T>, half<1, 12, T>(), nullptr, 0, nullptr, nullptr},
-      {2, {27, 3}, 3, false, kernel<2, T>, half<2, 27, T>(), nullptr, 0, nullptr, nullptr},
-      {2, {48, 3}, 3, false, kernel<3, T>, half<3, 48, T>(), nullptr, 0, nullptr, nullptr},
-      {2, {75, 3}, 3, false, kernel<4, T>, half<4, 75, T>(), nullptr, 0, nullptr, nullptr},
-      {2, {108, 3}, 3, false, kernel<5, T>, half<5, 108, T>(), nullptr, 0, nullptr, nullptr},
-      {2, {147, 3}, 3, false, kernel<6, T>, half<6, 147, T>(), nullptr, 0, nullptr, nullptr},
-      {2, {192, 3}, 3, false, kernel<7, T>, half<7, 192, T>(), nullptr, 0, nullptr, nullptr},
-      {2, {243, 3}, 3, false, kernel<8, T>, half<8, 243, T>(), nullptr, 0, nullptr, nullptr},
-      {2, {300, 3}, 3, false, kernel<9, T>, half<9, 300, T>(), nullptr, 0, nullptr, nullptr},
-      {2, {363, 3}, 3, false, kernel<10, T>, half<10, 363, T>(), nullptr, 0, nullptr, nullptr},
+      {2, {3, 3}, 3, false, kernel<0, T>, half<0, 3, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<0, T>},
+      {2, {12, 3}, 3, false, kernel<1, T>, half<1, 12, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<1, T>},
+      {2, {27, 3}, 3, false, kernel<2, T>, half<2, 27, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<2, T>},
+      {2, {48, 3}, 3, false, kernel<3, T>, half<3, 48, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<3, T>},
+      {2, {75, 3}, 3, false, kernel<4, T>, half<4, 75, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<4, T>},
+      {2, {108, 3}, 3, false, kernel<5, T>, half<5, 108, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<5, T>},
+      {2, {147, 3}, 3, false, kernel<6, T>, half<6, 147, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<6, T>},
+      {2, {192, 3}, 3, false, kernel<7, T>, half<7, 192, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<7, T>},
+      {2, {243, 3}, 3, false, kernel<8, T>, half<8, 243, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<8, T>},
+      {2, {300, 3}, 3, false, kernel<9, T>, half<9, 300, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<9, T>},
+      {2, {363, 3}, 3, false, kernel<10, T>, half<10, 363, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<10, T>},
   };
   drive(call, kPlans[call.degree]);
 }

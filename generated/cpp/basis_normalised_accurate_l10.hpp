@@ -227,7 +227,7 @@ constexpr void basis_normalised_accurate_l10(T x, T y, T z, T* out) noexcept {
   const T k_89     = detail::constant<T>(4.582576f, 4.58257569495584);         // sqrt(21)
 
   out[0] = k_0_0;                                                                          // l=0 m=0
-  const T inverse = one / detail::square_root(x * x + y * y + z * z);
+  const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;

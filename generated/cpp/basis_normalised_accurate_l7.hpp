@@ -156,7 +156,7 @@ constexpr void basis_normalised_accurate_l7(T x, T y, T z, T* out) noexcept {
   const T k_53   = detail::constant<T>(3.8729835f, 3.872983346207417);       // sqrt(15)
 
   out[0] = k_0_0;                                                  // l=0 m=0
-  const T inverse = one / detail::square_root(x * x + y * y + z * z);
+  const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;

@@ -179,7 +179,7 @@ constexpr void basis_normalised_accurate_l8(T x, T y, T z, T* out) noexcept {
   const T k_68   = detail::constant<T>(4.1231055f, 4.123105625617661);       // sqrt(17)
 
   out[0] = k_0_0;                                                          // l=0 m=0
-  const T inverse = one / detail::square_root(x * x + y * y + z * z);
+  const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;

@@ -87,7 +87,7 @@ constexpr void basis_normalised_l1(T x, T y, T z, T* out) noexcept {
   const T k_0_0 = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
 
   out[0] = k_0_0;                // l=0 m=0
-  const T inverse = one / detail::square_root(x * x + y * y + z * z);
+  const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   out[3] = k_1_1 * x * inverse;  // l=1 m=1
   out[1] = k_1_1 * y * inverse;  // l=1 m=-1
   out[2] = k_1_1 * z * inverse;  // l=1 m=0

@@ -202,7 +202,7 @@ constexpr void basis_normalised_l10(T x, T y, T z, T* out) noexcept {
   const T a_10_0   = detail::constant<T>(1.9974984f, 1.997498435543818);     // 1/10 sqrt(399)
 
   out[0] = k_0_0;                                               // l=0 m=0
-  const T inverse = one / detail::square_root(x * x + y * y + z * z);
+  const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;

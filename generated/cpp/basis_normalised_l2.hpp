@@ -92,7 +92,7 @@ constexpr void basis_normalised_l2(T x, T y, T z, T* out) noexcept {
   const T b_2_0  = detail::constant<T>(0.31539157f, 0.31539156525252);    // 1/4 sqrt(5/pi)
 
   out[0] = k_0_0;                           // l=0 m=0
-  const T inverse = one / detail::square_root(x * x + y * y + z * z);
+  const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;

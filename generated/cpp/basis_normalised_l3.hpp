@@ -99,7 +99,7 @@ constexpr void basis_normalised_l3(T x, T y, T z, T* out) noexcept {
   const T b_3_0  = detail::constant<T>(2.291288f, 2.29128784747792);      // 1/2 sqrt(21)
 
   out[0] = k_0_0;                          // l=0 m=0
-  const T inverse = one / detail::square_root(x * x + y * y + z * z);
+  const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;

@@ -108,7 +108,7 @@ constexpr void basis_normalised_l4(T x, T y, T z, T* out) noexcept {
   const T b_4_0  = detail::constant<T>(0.3626933f, 0.3626933037092719);   // 9/14 sqrt(1/pi)
 
   out[0] = k_0_0;                                            // l=0 m=0
-  const T inverse = one / detail::square_root(x * x + y * y + z * z);
+  const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;

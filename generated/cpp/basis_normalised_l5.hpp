@@ -118,7 +118,7 @@ constexpr void basis_normalised_l5(T x, T y, T z, T* out) noexcept {
   const T a_5_0  = detail::constant<T>(1.9899749f, 1.98997487421324);     // 3/5 sqrt(11)
 
   out[0] = k_0_0;                                // l=0 m=0
-  const T inverse = one / detail::square_root(x * x + y * y + z * z);
+  const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;

@@ -131,7 +131,7 @@ constexpr void basis_normalised_l6(T x, T y, T z, T* out) noexcept {
   const T a_6_0  = detail::constant<T>(1.9930434f, 1.9930434571835662);   // 1/6 sqrt(143)
 
   out[0] = k_0_0;                                            // l=0 m=0
-  const T inverse = one / detail::square_root(x * x + y * y + z * z);
+  const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;

@@ -163,7 +163,7 @@ constexpr void basis_normalised_l8(T x, T y, T z, T* out) noexcept {
   const T a_8_0  = detail::constant<T>(1.9960899f, 1.996089927833914);    // 1/8 sqrt(255)
 
   out[0] = k_0_0;                                            // l=0 m=0
-  const T inverse = one / detail::square_root(x * x + y * y + z * z);
+  const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;

@@ -181,7 +181,7 @@ constexpr void rotate_l6(const T* r, const T* c, T* out) noexcept {
   const T x = detail::choose(sin2_b < tiny, one, r[2]);
   const T y = detail::choose(sin2_b < tiny, zero, r[5]);
   const T inv2 = two / detail::choose(sin2_b < tiny, one, sin2_b);
-  const T inv = detail::square_root(half * inv2);
+  const T inv = detail::square_root<T>(half * inv2);
   const T t = y * inv2;
   const T cos_a = x * inv;
   const T sin_2a = t * x;

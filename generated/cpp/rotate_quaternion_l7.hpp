@@ -228,7 +228,7 @@ constexpr void rotate_quaternion_l7(const T* q, const T* c, T* out) noexcept {
   const T b_re = detail::choose(bb < tiny, one, q[2]);
   const T b_im = detail::choose(bb < tiny, zero, q[1]);
   const T inv2 = two / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
-  const T inv = detail::square_root(half * inv2);
+  const T inv = detail::square_root<T>(half * inv2);
   const T t = a_re * b_re;
   const T t_2 = a_im * b_re;
   const T t_3 = a_im * b_im;

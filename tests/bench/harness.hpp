@@ -134,6 +134,7 @@ Counts manifest_counts(const std::string& kernel);
 // The sections, in the order in which they are printed.
 void operations(Table& table);
 void basis(Table& table);
+void plain(Table& table);
 void rotation(Table& table);
 void high_rotation(Table& table);
 void product(Table& table);

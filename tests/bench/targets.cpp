@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   using sh::bench::Table;
   const std::vector<std::pair<std::string, void (*)(Table&)>> sections{{"operations", sh::bench::operations},
                                                                        {"basis", sh::bench::basis},
+                                                                       {"plain", sh::bench::plain},
                                                                        {"rotation", sh::bench::rotation},
                                                                        {"high_rotation", sh::bench::high_rotation},
                                                                        {"product", sh::bench::product},

@@ -210,6 +210,9 @@ class Reader {
       return number(a.value, scalar_);
     }
     if (word == "sqrt" || word == "sqrtf" || word == "detail::square_root") {
+      for (const char* token : {"<", "T", ">"}) {
+        if (word == "detail::square_root") expect(token);
+      }
       expect("(");
       const Number a = expression();
       expect(")");

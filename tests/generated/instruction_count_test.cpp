@@ -72,10 +72,16 @@ class InstructionCounts : public testing::Test {
   }
 };
 
+#if defined(__clang__)
+constexpr bool kClang = true;
+#else
+constexpr bool kClang = false;
+#endif
+
 // Degrees from which moving records to registers and back costs less than registers save, counted in instructions.
 int first_degree(const Case& of) {
-  if (of.scalar == "double") return 5;
-  return of.family == "basis" ? 4 : 2;
+  if (of.scalar == "double") return kClang ? 6 : 5;
+  return of.family == "basis" ? 4 : kClang ? 3 : 2;
 }
 
 TEST_F(InstructionCounts, OfPlainBatchesAreNoMoreThanThoseOfALoopOverTheHeader) {
@@ -86,11 +92,13 @@ TEST_F(InstructionCounts, OfPlainBatchesAreNoMoreThanThoseOfALoopOverTheHeader) 
   }
 }
 
+// The header's kernel is contracted by the compiler, the driver's by its types: that may be some instructions more.
 TEST_F(InstructionCounts, OfOneRecordAreThoseOfTheHeaderAndOfOneCall) {
-  constexpr double kCall = 180;  // largest seen: 173, g++ 12
+  constexpr double kCall = kClang ? 210 : 180;
+  constexpr double kPart = 1.15;
   for (const auto& [of, count] : counts()) {
-    if (of.records != 1 || of.family != "basis") continue;
-    EXPECT_LE(count.batch, count.loop + kCall) << of;
+    if (of.records != 1) continue;
+    EXPECT_LE(count.batch, kPart * count.loop + kCall) << of;
   }
 }
 

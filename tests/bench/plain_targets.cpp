@@ -1,0 +1,98 @@
+// Plain records, as programs have them: one call of a driver against a loop over the header's kernel, from one record on.
+#include <string>
+#include <vector>
+
+#include "generated/batch/batch.hpp"
+#include "generated/cpp/basis.hpp"
+#include "generated/cpp/basis_gradient.hpp"
+#include "generated/cpp/evaluate.hpp"
+#include "tests/bench/harness.hpp"
+
+namespace sh::bench {
+namespace {
+
+constexpr double kNano = 1e9;
+constexpr double kCall = 5;  // ns that a call of one or two records may take beside the kernel
+
+template <class T>
+std::vector<T> as(const std::vector<float>& values) {
+  return {values.begin(), values.end()};
+}
+
+// Records of one call, their inputs and room for the largest output.
+template <class T>
+struct Records {
+  std::size_t n;
+  std::vector<T> directions, coefficients;
+  Buffer<T> out;
+
+  Records(std::size_t records, std::size_t size)
+      : n(records),
+        directions(as<T>(random_directions(records))),
+        coefficients(as<T>(random_vectors(records, size))),
+        out(make_buffer<T>(records * 4 * size)) {}
+};
+
+template <class T>
+const char* scalar() {
+  return sizeof(T) == 4 ? "float" : "double";
+}
+
+template <class T>
+void compare(Table& table, const std::string& family, int degree, const Records<T>& records,
+             const std::function<void()>& call, const std::function<void()>& loop) {
+  const std::vector<double> t = least_times({call, loop});
+  const std::string what = family + ", " + scalar<T>() + ", degree " + std::to_string(degree);
+  const double each = kNano / static_cast<double>(records.n);
+  if (records.n <= 2) {
+    table.ratio(what, "ns", t[0] * kNano, t[1] * kNano + kCall, "the loop and 5 ns", 1);
+  } else {
+    table.ratio(what, "ns", t[0] * each, t[1] * each, "the loop", 1.02);  // 2 % of noise
+  }
+}
+
+template <int Degree, class T>
+void families(Table& table, std::size_t n) {
+  constexpr std::size_t kSize = (Degree + 1) * (Degree + 1);
+  const Records<T> records(n, kSize);
+  const auto in = batch::plain<const T>(records.directions.data());
+  const auto coefficients = batch::plain<const T>(records.coefficients.data());
+  T* const out = records.out.get();
+  const auto each = [&](const auto& kernel) {
+    return [&records, out, kernel] {
+      for (std::size_t i = 0; i < records.n; ++i) kernel(i, records.directions.data() + 3 * i);
+      keep(*out);
+    };
+  };
+  compare<T>(
+      table, "basis", Degree, records, [&] { batch::basis(Degree, n, in, batch::plain(out)); },
+      each([out](std::size_t i, const T* d) { sh::basis<Degree>(d[0], d[1], d[2], out + i * kSize); }));
+  compare<T>(
+      table, "basis_gradient", Degree, records, [&] { batch::basis_gradient(Degree, n, in, batch::plain(out)); },
+      each([out](std::size_t i, const T* d) {
+        T* const to = out + i * 4 * kSize;
+        sh::basis_gradient<Degree>(d[0], d[1], d[2], to, to + kSize, to + 2 * kSize, to + 3 * kSize);
+      }));
+  compare<T>(
+      table, "evaluate", Degree, records, [&] { batch::evaluate(Degree, n, coefficients, in, batch::plain(out)); },
+      each([out, c = records.coefficients.data()](std::size_t i, const T* d) {
+        out[i] = sh::evaluate<Degree>(c + i * kSize, d[0], d[1], d[2]);
+      }));
+}
+
+}  // namespace
+
+void plain(Table& table) {
+  for (const std::size_t n :
+       {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{7}, std::size_t{17}, std::size_t{1024}}) {
+    table.section("Plain records, " + std::to_string(n) + " in a call, ns " + (n <= 2 ? "a call" : "a record"),
+                  "control: a loop over the header's kernel, compiled for this machine");
+    for_degrees<0, 10>([&]<int kDegree>() {
+      if (kDegree > 4 && kDegree % 2 == 1) return;
+      families<kDegree, float>(table, n);
+      families<kDegree, double>(table, n);
+    });
+  }
+}
+
+}  // namespace sh::bench
