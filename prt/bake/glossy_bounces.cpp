@@ -52,8 +52,8 @@ class Bounces {
       sum.add(term_);
       const double now = largest_of(term_);
       report.spectral_bound = before > 0.0 ? now / before : 0.0;
-      report.residual = now > 0.0 ? now * report.spectral_bound / std::max(1.0 - report.spectral_bound, 1e-9) : 0.0;
-      if (is_done(options, now)) break;
+      report.residual = now * report.spectral_bound / std::max(1.0 - report.spectral_bound, 1e-9);
+      if (is_done(options)) break;
       before = now;
     }
     report.largest = largest_of(sum);
@@ -109,11 +109,11 @@ class Bounces {
   }
 
   // No number of the direct part is above 1.
-  [[nodiscard]] bool is_done(const BounceOptions& options, double now) const {
+  [[nodiscard]] bool is_done(const BounceOptions& options) const {
     const BounceReport& report = transfer_.bounces;
     const double rate = report.spectral_bound;
     const double enough = options.tolerance;
-    if (now == 0.0 || (rate < 1.0 && report.residual <= enough)) return true;
+    if (rate < 1.0 && report.residual <= enough) return true;
     if (report.applications >= options.most_applications) return true;
     if (std::chrono::steady_clock::now() >= options.deadline) return true;
     const double left = rate < 1.0 ? std::log(enough / report.residual) / std::log(rate) : kMostBounces;

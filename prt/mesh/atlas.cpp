@@ -78,10 +78,10 @@ Covered covered_of(const Flat& flat, int column, int row) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Point& a = polygon[i];
       const Point& b = polygon[(i + 1) % polygon.size()];
-      if (inside(a) >= 0.0) cut.push_back(a);
-      if ((inside(a) > 0.0 && inside(b) < 0.0) || (inside(a) < 0.0 && inside(b) > 0.0)) {
-        cut.emplace_back(a + (b - a) * (inside(a) / (inside(a) - inside(b))));
-      }
+      const double from = inside(a);
+      const double to = inside(b);
+      if (from >= 0.0) cut.push_back(a);
+      if ((from >= 0.0) != (to >= 0.0)) cut.emplace_back(a + (b - a) * (from / (from - to)));
     }
     polygon = std::move(cut);
   }

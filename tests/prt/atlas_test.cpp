@@ -96,6 +96,221 @@ TEST(Atlas, LaysTexelsOnTheirFaceInsideOfTheirPixel) {
   }
 }
 
+// In texels of an atlas, how far a point lies inside of the edges of a triangle; negative outside.
+double depth_of(const std::array<Eigen::Vector2f, 3>& corners, const Eigen::Vector2f& at, int size) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector2d a = corners[k].cast<double>();
+    const Eigen::Vector2d along = (corners[(k + 1) % 3].cast<double>() - a).normalized();
+    Eigen::Vector2d inwards(-along.y(), along.x());
+    if (inwards.dot(corners[(k + 2) % 3].cast<double>() - a) < 0.0) inwards = -inwards;
+    least = std::min(least, size * inwards.dot(at.cast<double>() - a));
+  }
+  return least;
+}
+
+TEST(Atlas, LaysTexelsAtTheirCenterWhereItsFaceHasRoom) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
+  int at_center = 0;
+  int moved = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const int size = 1 + trial % 40;
+    std::array<Eigen::Vector2f, 3> corners;
+    for (Eigen::Vector2f& corner : corners) corner = {uniform(random), uniform(random)};
+    Mesh mesh = triangle(corners);
+    add_atlas(mesh, 1, size, "t");
+    for (std::size_t v = 3; v < mesh.positions.size(); ++v) {
+      const Eigen::Vector2f place = mesh.positions[v].head<2>();
+      if (depth_of(corners, mesh.chart[v], size) > 0.0101) {
+        EXPECT_LT((place - mesh.chart[v]).norm(), 1e-6F);
+        ++at_center;
+      } else if ((place - mesh.chart[v]).norm() < 0.2F / static_cast<float>(size)) {
+        // There is room beside the edge for what is a little outside or on it, but for corners of faces.
+        EXPECT_GE(depth_of(corners, place, size), -1e-5);
+        moved += depth_of(corners, place, size) > 0.0099 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(at_center, 10000);
+  EXPECT_GT(moved, 100);
+}
+
+// What lies between the corners, at the place where the texel is.
+TEST(Atlas, TexelsTakeWhatLiesBetweenTheCornersOfTheirFace) {
+  Mesh mesh = triangle({Eigen::Vector2f(0.1F, 0.2F), {0.9F, 0.1F}, {0.3F, 0.8F}});
+  mesh.albedo = {{0.1F, 0.9F, 0.5F}, {0.7F, 0.2F, 0.5F}, {0.3F, 0.4F, 1.0F}};
+  mesh.normals = {Eigen::Vector3f(0.6F, 0.0F, 0.8F), {0.0F, -0.6F, 0.8F}, {0.0F, 0.0F, 1.0F}};
+  mesh.texture = {{-3.0F, 5.0F}, {2.0F, 1.0F}, {0.5F, 0.25F}};
+  mesh.emission = {{9.0F, 0.0F, 1.0F}, {0.0F, 3.0F, 1.0F}, {1.0F, 1.0F, 1.0F}};
+  mesh.tint = {{1.0F, 0.25F, 0.5F}, {0.5F, 0.75F, 0.5F}, {0.0F, 0.5F, 0.125F}};
+  mesh.exponent.assign(3, 7.0F);
+  const Mesh before = mesh;
+  add_atlas(mesh, 1, 6, "t");
+  const Face& face = mesh.faces[0];
+  Eigen::Matrix3f corners;
+  for (int k = 0; k < 3; ++k) corners.col(k) << mesh.positions[face[k]].head<2>(), 1.0F;
+  ASSERT_GT(mesh.positions.size(), 12U);
+  for (std::size_t v = 3; v < mesh.positions.size(); ++v) {
+    const Eigen::Vector3f place(mesh.positions[v].x(), mesh.positions[v].y(), 1.0F);
+    const Eigen::Vector3f part = corners.inverse() * place;
+    EXPECT_GT(part.minCoeff(), 0.0F);
+    const auto expect_between = [&](const auto& values, const auto& corner_values, bool is_unit = false) {
+      auto expected = (part[0] * corner_values[0] + part[1] * corner_values[1] + part[2] * corner_values[2]).eval();
+      if (is_unit) expected.normalize();
+      EXPECT_LT((values[v] - expected).norm(), 1e-5F) << v;
+    };
+    expect_between(mesh.albedo, before.albedo);
+    expect_between(mesh.normals, before.normals, true);
+    expect_between(mesh.texture, before.texture);
+    expect_between(mesh.emission, before.emission);
+    expect_between(mesh.tint, before.tint);
+    EXPECT_EQ(mesh.exponent[v], 7.0F);
+    EXPECT_EQ(mesh.geometric_normals[v], Eigen::Vector3f::UnitZ());
+  }
+}
+
+TEST(Atlas, TexelsOfABackHaveTheSideOfTheirNormals) {
+  const std::array<Eigen::Vector2f, 3> corners = {Eigen::Vector2f(0.1F, 0.2F), {0.9F, 0.15F}, {0.4F, 0.8F}};
+  const auto texels = [&](const Eigen::Vector3f& normal) {
+    Mesh mesh = triangle(corners);
+    mesh.normals.assign(3, normal);
+    add_atlas(mesh, 1, 4, "t");
+    return mesh;
+  };
+  const Mesh back = texels(-Eigen::Vector3f::UnitZ());
+  const Mesh without = texels(Eigen::Vector3f::Zero());  // as normals that cancel
+  for (std::size_t v = 3; v < back.positions.size(); ++v) {
+    EXPECT_EQ(back.normals[v], -Eigen::Vector3f::UnitZ());
+    EXPECT_EQ(back.geometric_normals[v], -Eigen::Vector3f::UnitZ());
+    EXPECT_EQ(without.normals[v], Eigen::Vector3f::UnitZ());
+    EXPECT_EQ(without.geometric_normals[v], Eigen::Vector3f::UnitZ());
+  }
+}
+
+// The centroid of what a face covers of a pixel whose center it leaves out, where that is known.
+TEST(Atlas, LaysTexelsOfABorderInTheMiddleOfWhatIsCovered) {
+  const auto place = [](const std::array<Eigen::Vector2f, 3>& corners, std::uint32_t pixel) {
+    Mesh mesh = triangle(corners);
+    add_atlas(mesh, 1, 4, "t");
+    const auto& pixels = mesh.atlases.pixels;
+    const auto found = std::find(pixels.begin(), pixels.end(), pixel);
+    EXPECT_NE(found, pixels.end());
+    const Eigen::Vector3f at = mesh.positions[3 + static_cast<std::size_t>(found - pixels.begin())];
+    return Eigen::Vector2f(4.0F * at.x(), 4.0F * at.y());  // in texels, from below
+  };
+  // A whole triangle within a pixel: a third of the way along.
+  const std::array<Eigen::Vector2f, 3> little = {
+      Eigen::Vector2f(0.5F, 0.5F), {0.5F + 0.09F, 0.5F}, {0.5F, 0.5F + 0.09F}};
+  EXPECT_LT((place(little, 4 + 2) - Eigen::Vector2f(2.12F, 2.12F)).norm(), 1e-5F);
+  // What is left of an edge at x, in texels, and below a diagonal: a strip of the last column.
+  const auto left_of = [&](float x) {
+    return place({Eigen::Vector2f(0.0F, 0.0F), {x / 4.0F, 0.0F}, {x / 4.0F, 1.0F}}, 12 + 3);
+  };
+  EXPECT_LT((left_of(3.4F) - Eigen::Vector2f(3.2F, 0.5F)).norm(), 1e-5F);
+  // An edge 0.004 texels beside the center: the texel moves away from it to a distance of 0.01, and no further.
+  EXPECT_LT((left_of(3.504F) - Eigen::Vector2f(3.494F, 0.5F)).norm(), 1e-5F);
+}
+
+TEST(Atlas, ShowsTheFaceThatCoversMostWhereNoneCoversTheCenter) {
+  // Two triangles at the left and right border of one pixel; the right one is wider.
+  Mesh mesh = triangle({Eigen::Vector2f(0.0F, 0.0F), {0.3F, 0.0F}, {0.0F, 1.0F}});
+  append(mesh, triangle({Eigen::Vector2f(1.0F, 0.0F), {1.0F, 1.0F}, {0.6F, 0.0F}}));
+  append(mesh, triangle({Eigen::Vector2f(0.0F, 1.0F), {0.2F, 1.0F}, {0.0F, 0.7F}}));
+  EXPECT_EQ(add_atlas(mesh, 3, 1, "t"), std::vector<std::uint32_t>{1});
+}
+
+// The pairs of a lattice: each once, the one to the right and the one below of every texel in order.
+TEST(Atlas, NeighborsOnASquareAreThoseOfALattice) {
+  const Mesh mesh = square_with_texels(4);
+  std::vector<std::array<std::uint32_t, 2>> expected;
+  for (std::uint32_t i = 0; i < 16; ++i) {
+    if (i % 4 != 3) expected.push_back({4 + i, 5 + i});
+    if (i < 12) expected.push_back({4 + i, 8 + i});
+  }
+  EXPECT_EQ(neighboring_texels(mesh), expected);
+  Mesh two = mesh;
+  append(two, mesh);
+  const std::size_t vertices = mesh.positions.size();
+  for (std::size_t i = 0; i < 24; ++i) {
+    expected.push_back({expected[i][0] + std::uint32_t(vertices), expected[i][1] + std::uint32_t(vertices)});
+  }
+  EXPECT_EQ(neighboring_texels(two), expected);
+}
+
+TEST(Atlas, TexelsBesideEachOtherThatLieFarApartAreNoNeighbors) {
+  const auto pairs = [](float gap) {  // of two halves of an atlas, of eight texels each, so far apart
+    Mesh mesh;
+    for (int half = 0; half < 2; ++half) {
+      Mesh part = primitive_mesh("plane", 1, Eigen::Affine3f(Eigen::Scaling(0.5F, 1.0F, 1.0F)));
+      for (Eigen::Vector3f& p : part.positions) {
+        part.chart.emplace_back(p.x() + 0.25F + 0.5F * static_cast<float>(half), p.y() + 0.5F);
+        p.x() += (0.5F + gap) * static_cast<float>(half);
+      }
+      if (half == 0) {
+        mesh = std::move(part);
+      } else {
+        append(mesh, part);
+      }
+    }
+    add_atlas(mesh, mesh.faces.size(), 4, "t");
+    return neighboring_texels(mesh).size();
+  };
+  EXPECT_EQ(pairs(0.0F), 24U);
+  // A texel is 1/4 wide: kFarthest times both reaches, of 1/8 each, is 1.
+  EXPECT_EQ(pairs(0.74F), 24U);
+  EXPECT_EQ(pairs(0.76F), 20U);
+  EXPECT_EQ(pairs(100.0F), 20U);
+}
+
+// Every pixel of an atlas stands for one of the nearest texels.
+TEST(Atlas, PixelsWithoutATexelStandForTheNearestOne) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> uniform(0.0F, 1.0F);
+  for (int trial = 0; trial < 40; ++trial) {
+    const int size = 1 + trial % 9;
+    Mesh mesh = triangle({Eigen::Vector2f(uniform(random), uniform(random)),
+                          {uniform(random), uniform(random)},
+                          {uniform(random), uniform(random)}});
+    add_atlas(mesh, 1, size, "t");
+    const std::vector<std::uint32_t> stands = SurfaceReceivers(mesh).pixels(0);
+    const auto distance = [&](std::uint32_t a, std::uint32_t b) {
+      const auto n = static_cast<std::uint32_t>(size);
+      return std::max(std::abs(int(a % n) - int(b % n)), std::abs(int(a / n) - int(b / n)));
+    };
+    for (std::uint32_t pixel = 0; pixel < stands.size(); ++pixel) {
+      int nearest = size;
+      for (const std::uint32_t texel : mesh.atlases.pixels) nearest = std::min(nearest, distance(pixel, texel));
+      ASSERT_GE(stands[pixel], 3U);
+      EXPECT_EQ(distance(pixel, mesh.atlases.pixels[stands[pixel] - 3]), nearest) << size << " " << pixel;
+    }
+  }
+}
+
+// An atlas of three columns and two rows, as a file may hold one.
+TEST(Atlas, WiderThanHighIsReadBetweenItsTexels) {
+  Mesh mesh;
+  mesh.positions.assign(6, Eigen::Vector3f::Zero());
+  mesh.atlases.heads = {{3, 2, 0, 6}};
+  mesh.atlases.pixels = {0, 1, 2, 3, 4, 5};
+  const SurfaceReceivers receivers(mesh);
+  const std::vector<float> values = {1.0F, 10.0F, 100.0F, 1000.0F, 10000.0F, 100000.0F};
+  const auto at = [&](float x, float y) {  // in pixels, from the upper left corner
+    return receivers.in_atlas(0, {x / 3.0F, 1.0F - y / 2.0F}).mean(values);
+  };
+  for (int pixel = 0; pixel < 6; ++pixel) {
+    EXPECT_NEAR(at(static_cast<float>(pixel % 3) + 0.5F, static_cast<float>(pixel / 3) + 0.5F) / values[pixel], 1.0F,
+                1e-5F);
+  }
+  EXPECT_NEAR(at(1.0F, 0.5F), 5.5F, 1e-4F);
+  EXPECT_NEAR(at(1.75F, 0.5F), 32.5F, 1e-4F);
+  EXPECT_NEAR(at(0.5F, 1.25F), 750.25F, 1e-3F);
+  EXPECT_NEAR(at(2.0F, 1.0F), 27527.5F, 0.05F);
+  EXPECT_EQ(at(0.0F, 0.0F), 1.0F);
+  EXPECT_EQ(at(3.0F, 2.0F), 100000.0F);
+  EXPECT_EQ(at(0.0F, 2.0F), 1000.0F);
+}
+
 TEST(Atlas, IsTheSameForMirroredCoordinates) {
   // In 64ths, whose mirror image is exact.
   const std::array<Eigen::Vector2f, 3> corners = {
@@ -125,13 +340,17 @@ TEST(Atlas, RefusesCoordinatesThatAreNoChart) {
   EXPECT_EQ(said(mesh),
             "a.gltf: texels need texture coordinates from 0 to 1, got 1.5 0.15; expected a second set that covers each "
             "place of the surface once");
+  mesh.chart[1].x() = -0.25F;
+  EXPECT_NE(said(mesh).find("from 0 to 1, got -0.25 0.15;"), std::string::npos);
   mesh.chart[1].x() = std::numeric_limits<float>::quiet_NaN();
   EXPECT_NE(said(mesh).find("a face has none"), std::string::npos);
   mesh.chart.clear();
   EXPECT_NE(said(mesh).find("the mesh has none"), std::string::npos);
   Mesh twice = triangle(corners);
   append(twice, triangle(corners));
-  EXPECT_NE(said(twice, 2).find("its texture coordinates overlap: faces 0 and 1 cover "), std::string::npos);
+  EXPECT_EQ(said(twice, 2),
+            "a.gltf: its texture coordinates overlap: faces 0 and 1 cover 0.4375 0.6875; expected a second set that "
+            "covers each place of the surface once");
   Mesh flat = triangle(corners);
   flat.chart.assign(3, Eigen::Vector2f(0.5F, 0.5F));
   EXPECT_NE(said(flat).find("cover no texel of 8 x 8"), std::string::npos);
@@ -354,6 +573,133 @@ TEST(Lightmap, OfABlackSurfaceIsZeroAndFinite) {
     EXPECT_NEAR(e.y(), std::numbers::pi_v<float>, 1e-4F);
     EXPECT_NEAR(e.z(), std::numbers::pi_v<float>, 1e-4F);
   }
+}
+
+TEST(Lightmap, KeepsTheChannelsOfItsLightApart) {
+  for (const int degree : {0, 1, 3}) {
+    const Transfer transfer = baked(square_with_texels(2), &kGlossyUnshadowed, 64, degree);
+    LightCoefficients light = constant_light(degree);
+    for (std::size_t c = 0; c < 3; ++c) light.at(c, 0) *= static_cast<double>(c + 1);
+    const auto e = directional_irradiance(transfer, TransferredRadiance(transfer, light));
+    for (const Eigen::Vector3f& value : e[0]) {
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(value[c], std::numbers::pi_v<float> * float(c + 1), 2e-5F) << degree;
+    }
+    for (std::size_t k = 1; k < 4; ++k) {
+      for (const Eigen::Vector3f& value : e[k]) EXPECT_LT(value.norm(), 2e-5F) << degree << " " << k;
+    }
+  }
+}
+
+// Faces with one texel each, in atlases of their own.
+struct Patches {
+  // A face whose first edge runs from one place to another, with the value of its texel.
+  void add(const Eigen::Vector3f& from, const Eigen::Vector3f& to, const Eigen::Vector3f& value) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const auto number = static_cast<float>(first);
+    for (const Eigen::Vector3f& at : {from, to, Eigen::Vector3f(number, number + 1.0F, 9.0F)}) {
+      mesh.positions.push_back(at);
+      mesh.normals.emplace_back(Eigen::Vector3f::UnitZ());
+      mesh.atlas.push_back(static_cast<std::uint16_t>(mesh.atlases.heads.size() + 1));
+      values.emplace_back(Eigen::Vector3f::Zero());
+    }
+    for (const Eigen::Vector2f& at : {Eigen::Vector2f(0.25F, 0.5F), {0.75F, 0.5F}, {0.5F, 1.0F}}) {
+      mesh.chart.push_back(at);
+    }
+    mesh.faces.push_back({first, first + 1, first + 2});
+    texels.push_back({value});
+    mesh.atlases.heads.emplace_back(Atlases::Head{1, 1, 0, 1});
+  }
+  [[nodiscard]] Seams seams() {
+    std::vector<Eigen::Vector3f> all = values;
+    Mesh whole = mesh;
+    for (std::size_t a = 0; a < texels.size(); ++a) {
+      Atlases::Head& head = whole.atlases.heads[a];
+      head = {static_cast<int>(texels[a].size()), 1, static_cast<std::uint32_t>(all.size()),
+              static_cast<std::uint32_t>(texels[a].size())};
+      for (std::uint32_t i = 0; i < head.count; ++i) whole.atlases.pixels.push_back(i);
+      all.insert(all.end(), texels[a].begin(), texels[a].end());
+    }
+    return measure_seams(whole, SurfaceReceivers(whole), all);
+  }
+  Mesh mesh;
+  std::vector<Eigen::Vector3f> values;               // of vertices: nobody reads them
+  std::vector<std::vector<Eigen::Vector3f>> texels;  // (atlases), in a row
+};
+
+const Eigen::Vector3f kOrigin(0.0F, 0.0F, 0.0F);
+const Eigen::Vector3f kThree(0.0F, 3.0F, 0.0F);
+const Eigen::Vector3f kOne(1.0F, 0.0F, 0.0F);
+
+Patches one_seam() {
+  Patches patches;
+  patches.add(kOrigin, kThree, {1.0F, 2.0F, 2.0F});
+  patches.add(kThree, kOrigin, {1.0F, 2.0F, 0.0F});
+  return patches;
+}
+
+TEST(Lightmap, SeamsCountByTheirLengths) {
+  Patches patches = one_seam();
+  EXPECT_EQ(patches.seams().edges, 1U);
+  EXPECT_NEAR(patches.seams().difference, 2.0, 1e-6);
+  EXPECT_NEAR(patches.seams().value, std::sqrt(7.0), 1e-6);
+  patches.add(kOrigin, kOne, {0.0F, 0.0F, 4.0F});  // a second one, a third as long
+  patches.add(kOne, kOrigin, {0.0F, 0.0F, 0.0F});
+  EXPECT_EQ(patches.seams().edges, 2U);
+  EXPECT_NEAR(patches.seams().difference, std::sqrt((3.0 * 4.0 + 16.0) / 4.0), 1e-6);
+  EXPECT_NEAR(patches.seams().value, std::sqrt((3.0 * 7.0 + 8.0) / 4.0), 1e-6);
+}
+
+TEST(Lightmap, SeamsAreReadAlongTheirEdge) {
+  Patches patches = one_seam();
+  patches.texels = {{Eigen::Vector3f::Zero()}, {Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitX()}};
+  // From 0 to 1, at the middles of eighths: the mean of their squares.
+  EXPECT_NEAR(patches.seams().difference, std::sqrt(680.0 / 2048.0), 1e-6);
+  EXPECT_NEAR(patches.seams().value, std::sqrt(340.0 / 2048.0), 1e-6);
+  patches.texels[0] = {Eigen::Vector3f::UnitX(), Eigen::Vector3f::Zero()};  // it runs the other way
+  EXPECT_NEAR(patches.seams().difference, 0.0, 1e-6);
+}
+
+TEST(Lightmap, SeamsAreEdgesThatTheAtlasPartsAndTheSurfaceDoesNot) {
+  const auto edges = [](const auto& change) {
+    Patches patches = one_seam();
+    change(patches);
+    const Seams seams = patches.seams();
+    EXPECT_TRUE(std::isfinite(seams.difference) && std::isfinite(seams.value));
+    return seams.edges;
+  };
+  const auto join = [](Patches& p) {  // both in the first atlas, one end at the same place
+    for (std::size_t v = 3; v < 6; ++v) p.mesh.atlas[v] = 1;
+    p.mesh.chart[4] = p.mesh.chart[0];
+  };
+  EXPECT_EQ(edges(join), 1U) << "the seam opens from one end";
+  EXPECT_EQ(edges([&](Patches& p) {
+              join(p);
+              p.mesh.chart[3] = p.mesh.chart[1];
+            }),
+            0U);
+  EXPECT_EQ(edges([&](Patches& p) {
+              join(p);
+              p.mesh.chart[3] = p.mesh.chart[1];
+              for (std::size_t v = 3; v < 6; ++v) p.mesh.atlas[v] = 2;
+            }),
+            1U)
+      << "the same places of different atlases";
+  for (const std::size_t v : {0U, 1U, 3U, 4U}) {
+    const auto turn = [&](double degrees) {
+      return edges([&](Patches& p) {
+        p.mesh.normals[v] =
+            Eigen::AngleAxisf(static_cast<float>(degrees * std::numbers::pi / 180.0), Eigen::Vector3f::UnitX()) *
+            p.mesh.normals[v];
+      });
+    };
+    EXPECT_EQ(turn(4.9), 1U) << v;
+    EXPECT_EQ(turn(5.1), 0U) << v << ": an edge of the surface";
+  }
+  EXPECT_EQ(edges([](Patches& p) { std::swap(p.mesh.positions[3], p.mesh.positions[4]); }), 0U) << "faces that overlap";
+  EXPECT_EQ(edges([](Patches& p) { p.add(kThree, kOrigin, {}); }), 1U) << "a third face has no partner";
+  EXPECT_EQ(edges([](Patches& p) { p.mesh.positions[3].z() = 1e-6F; }), 0U);
+  EXPECT_EQ(edges([](Patches& p) { p.mesh.atlas.assign(6, 0); }), 0U);
+  EXPECT_EQ(edges([](Patches& p) { p.mesh.atlas.clear(); }), 0U);
 }
 
 // A cylinder's side goes once around: u = 0 and u = 1 are one edge.

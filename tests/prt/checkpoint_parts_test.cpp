@@ -1,5 +1,5 @@
 // A checkpoint by itself, without rays: which results come back, which it does not believe, when it writes, and what its
-// key depends on.
+// key depends on; parts of shards, and what is no complete set of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -226,6 +226,139 @@ TEST_F(CheckpointParts, WithoutAPathAreNowhere) {
   EXPECT_EQ(folder_.entries(), 0U);
 }
 
+class CheckpointShards : public CheckpointParts {
+ protected:
+  [[nodiscard]] std::string part(std::uint32_t number) const { return folder_.file("part " + std::to_string(number)); }
+
+  /// The file of shard `number` of `count`, with these chunks.
+  std::string make(std::uint32_t number, std::uint32_t count, const std::vector<std::size_t>& chunks) {
+    Checkpoint checkpoint(shard(number, count, kNever), kKey, made_.result);
+    for (const std::size_t chunk : chunks) checkpoint.finished(chunk);
+    checkpoint.complete();
+    return part(number);
+  }
+
+  [[nodiscard]] CheckpointSettings shard(std::uint32_t number, std::uint32_t count, double seconds = 0.0) const {
+    return {part(number), false, seconds, {number - 1, count}, kCommand};
+  }
+
+  /// Merges the files; what it refuses with, or nothing.
+  std::string refusal(const std::vector<std::string>& files, Results& found, const std::string& key = kKey) {
+    return message_of([&] {
+      CheckpointSettings settings;
+      settings.parts = files;
+      const Checkpoint merged(settings, key, found.result);
+      for (std::size_t chunk = 0; chunk < chunk_count(kVertices); ++chunk) EXPECT_TRUE(merged.has(chunk));
+    });
+  }
+  std::string refusal(const std::vector<std::string>& files, const std::string& key = kKey) {
+    Results found;
+    return refusal(files, found, key);
+  }
+
+  static constexpr std::uint32_t kRecord = 0xFFFFFFFFU;
+  const std::vector<std::string> kCommand = {"bake", "a b.json", "it's", "", "--degree", "1"};
+  const std::string kRun = "run `prt bake 'a b.json' 'it'\\''s' '' --degree 1 --shard ";
+};
+
+TEST_F(CheckpointShards, WantTheirOwnChunksAndSayWhatTheyAre) {
+  path_ = part(2);
+  {
+    Checkpoint checkpoint(shard(2, 3), kKey, made_.result);
+    EXPECT_FALSE(checkpoint.wants(0));
+    EXPECT_TRUE(checkpoint.wants(1));
+    EXPECT_FALSE(checkpoint.wants(2));
+  }
+  ASSERT_EQ(records().size(), 1U) << "a shard names itself before its first chunk";
+  make(2, 3, {1});
+  const Records all = records();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].first, kRecord);
+  EXPECT_EQ(all[0].second, R"({"shard":2,"shards":3,"command":["bake","a b.json","it's","","--degree","1"]})");
+  EXPECT_EQ(all[1].first, 1U);
+  const ShardRecord record = shard_of_part(path_);
+  EXPECT_EQ(record.shard.index, 1U);
+  EXPECT_EQ(record.shard.count, 3U);
+  EXPECT_EQ(record.command, kCommand);
+  const Checkpoint again(shard(2, 3), kKey, made_.result);
+  EXPECT_TRUE(again.has(1));
+  EXPECT_FALSE(again.wants(1));
+}
+
+TEST_F(CheckpointShards, LieInFilesOfTheirOwn) {
+  make(2, 3, {1});
+  const auto refused = [&](std::uint32_t number, std::uint32_t count) {
+    CheckpointSettings other = shard(number, count);
+    other.path = part(2);
+    return message_of([&] { const Checkpoint checkpoint(other, kKey, made_.result); });
+  };
+  EXPECT_EQ(refused(1, 3), part(2) + ": holds shard 2/3; expected another output for shard 1/3, or --restart");
+  EXPECT_EQ(refused(2, 4), part(2) + ": holds shard 2/3; expected another output for shard 2/4, or --restart");
+  EXPECT_EQ(refused(2, 3), "");
+}
+
+TEST_F(CheckpointShards, MakeAWholeInAnyOrder) {
+  Results found;
+  EXPECT_EQ(refusal({make(2, 2, {1}), make(1, 2, {2, 0})}, found), "");
+  for (std::size_t v = 0; v < kVertices; ++v) expect_vertex(found, made_, v);
+  // More shards than chunks: the fourth has none, and need not be there.
+  std::filesystem::remove(part(1));
+  std::filesystem::remove(part(2));
+  const std::vector<std::string> four = {make(1, 4, {0}), make(2, 4, {1}), make(3, 4, {2}), make(4, 4, {})};
+  EXPECT_EQ(refusal(four), "");
+  EXPECT_EQ(refusal({four[2], four[1], four[0]}), "");
+}
+
+TEST_F(CheckpointShards, ThatAreMissingAreNamedWithTheirCommand) {
+  const std::string first = make(1, 3, {0});
+  const std::string second = make(2, 3, {});  // stopped before its chunk
+  const std::string third = make(3, 3, {2});
+  const std::string expected = " expected complete parts of all shards: " + kRun;
+  EXPECT_EQ(refusal({first}),
+            "2 of 3 chunks of vertices are missing, those of the shards 2/3, 3/3;" + expected + "2/3 -o FILE`");
+  EXPECT_EQ(refusal({first, third}),
+            "1 of 3 chunks of vertices are missing, those of shard 2/3;" + expected + "2/3 -o FILE`");
+  EXPECT_EQ(refusal({first, second, third}),
+            "1 of 3 chunks of vertices are missing, those of shard 2/3;" + expected + "2/3 -o '" + second + "'`");
+}
+
+TEST_F(CheckpointShards, OfDifferentOrNoBakesAreRefused) {
+  const std::string first = make(1, 2, {0, 2});
+  const std::string copy = folder_.file("copy");
+  std::filesystem::copy_file(first, copy);
+  EXPECT_EQ(refusal({first, copy}), copy + ": shard 1 of 2, as " + first + " is; expected each once");
+  EXPECT_EQ(refusal({make(3, 3, {2}), first}),
+            first + ": shard 1 of 2, but " + part(3) + " is one of 3; expected the parts of one bake");
+  EXPECT_EQ(refusal({first}, R"({"degree":2})"),
+            first + ": part of another bake: its degree is 1, here it is 2; expected the parts of one bake");
+  write({0});  // the checkpoint of a bake that is not shared
+  const std::string none = ": no part of a bake; expected a file that `prt bake --shard` made";
+  EXPECT_EQ(refusal({path_}), path_ + none);
+  EXPECT_EQ(message_of([&] { static_cast<void>(shard_of_part(path_)); }), path_ + none);
+}
+
+TEST_F(CheckpointShards, BelieveNoRecordThatNamesNoShard) {
+  const auto said = [&](const std::string& record) {
+    std::filesystem::remove(path_);
+    CheckpointFile(path_, kKey, false).append(kRecord, record);
+    return message_of([&] { static_cast<void>(shard_of_part(path_)); });
+  };
+  for (const char* record :
+       {R"({"shard": 0, "shards": 2, "command": []})", R"({"shard": 3, "shards": 2, "command": []})",
+        R"({"shard": 1, "shards": 1, "command": []})", R"({"shard": 1, "shards": 65537, "command": []})",
+        R"({"shard": 1, "shards": 2})", R"({"shard": "1", "shards": 2, "command": []})", R"([])", ""}) {
+    EXPECT_EQ(said(record), path_ + ": damaged: the record of its shard cannot be read") << record;
+  }
+  EXPECT_EQ(said(R"({"shard": 65536, "shards": 65536, "command": []})"), "");
+  EXPECT_EQ(said(R"({"shard": 1, "shards": 2, "command": []})"), "");
+}
+
+TEST(ShellLine, QuotesWhatAShellWouldSplitOrReplace) {
+  EXPECT_EQ(shell_line({}), "");
+  EXPECT_EQ(shell_line({"a/b_c.d,e:f=g+h@i%j-k", "0"}), "a/b_c.d,e:f=g+h@i%j-k 0");
+  EXPECT_EQ(shell_line({"", "a b", "'", "$x", "*", "~"}), "'' 'a b' ''\\''' '$x' '*' '~'");
+}
+
 TEST(BakeKey, ChangesWithAllThatRaysDependOnAndWithNothingElse) {
   Scene scene = scene_of(primitive_mesh("box"), &kInterreflected);
   scene.mesh.mirror.assign(scene.mesh.positions.size(), {0.1F, 0.2F, 0.3F});
@@ -245,6 +378,7 @@ TEST(BakeKey, ChangesWithAllThatRaysDependOnAndWithNothingElse) {
       [](Scene& s, auto&) { s.mesh.geometric_normals.back() *= -1.0F; },
       [](Scene& s, auto&) { s.mesh.mirror.back().z() = 0.4F; },
       [](Scene& s, auto&) { std::swap(s.mesh.faces.back()[1], s.mesh.faces.back()[2]); },
+      [](Scene& s, auto&) { s.mesh.atlases.reach = {0.5F}; },
       [](Scene&, auto& o) { o.back() = 1; },
       [](Scene&, auto& o) { std::swap(o.front(), o.back()); },
       [](Scene& s, auto&) { s.bake.degree = 3; },
@@ -255,6 +389,7 @@ TEST(BakeKey, ChangesWithAllThatRaysDependOnAndWithNothingElse) {
   };
   for (std::size_t i = 0; i < all.size(); ++i) EXPECT_TRUE(changed(all[i])) << i;
   EXPECT_NE(bake_key(scene, "sse4.2", open), key);
+  EXPECT_NE(bake_key(scene, "avx2", open, "points"), key);
   EXPECT_FALSE(changed([](Scene& s, auto&) {
     paint(s.mesh, {0.9F, 0.1F, 0.1F});
     shine(s.mesh, {1.0F, 1.0F, 1.0F});

@@ -128,6 +128,7 @@ TEST(GlossyBounces, NeedAnnouncedMemoryBeforeTheyBegin) {
   EXPECT_NO_THROW(require_glossy_bounce_memory(gray, bytes));
   const std::string said = message_of([&] { require_glossy_bounce_memory(colored, bytes - 1.0); });
   EXPECT_NE(said.find(fmt::format("need {:.0f} MiB", bytes / 1048576.0)), std::string::npos) << said;
+  EXPECT_NE(said.find(fmt::format("this machine has {:.0f};", bytes / 1048576.0)), std::string::npos) << said;
   EXPECT_NE(said.find("gray materials, or glossy_shadowed"), std::string::npos) << said;
 }
 
@@ -236,6 +237,30 @@ TEST(GlossyBounces, EndOnTheirToleranceAndSaySo) {
   EXPECT_LE(apart, 2.0 * coarse.bounces.residual);
   EXPECT_GE(apart, 0.3 * coarse.bounces.residual);
   EXPECT_LE(coarse.bounces.residual, 1e-3);
+}
+
+// As a geometric series of the last two bounces says.
+TEST(GlossyBounces, StateWhatIsLeftOfTheirSeries) {
+  Scene scene = scene_of(bowl({0.8F, 0.6F, 0.3F}, 12.0F), &kGlossyInterreflected, 128, 2);
+  const auto after = [&](int most) {
+    scene.bake.bounces.most_applications = most;
+    return bake(scene);
+  };
+  const Transfer sums[] = {after(2), after(3), after(4)};
+  const auto largest = [](const std::vector<float>& of, const std::vector<float>& less) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      most = std::max(most, std::abs(static_cast<double>(of[i]) - (less.empty() ? 0.0 : static_cast<double>(less[i]))));
+    }
+    return most;
+  };
+  const double third = largest(sums[1].indirect, sums[0].indirect);
+  const double fourth = largest(sums[2].indirect, sums[1].indirect);
+  const double rate = fourth / third;
+  ASSERT_GT(rate, 0.1);
+  EXPECT_NEAR(sums[2].bounces.spectral_bound, rate, 1e-3);
+  EXPECT_NEAR(sums[2].bounces.residual / (fourth * rate / (1.0 - rate)), 1.0, 5e-3);
+  EXPECT_EQ(sums[2].bounces.largest, largest(sums[2].indirect, {}));
 }
 
 TEST(GlossyBounces, EndAfterTheMostApplications) {

@@ -132,6 +132,63 @@ TEST_F(Textured, PicturesThatCannotBeReadAreRefusedWithTheirName) {
             "x.transfer: picture a.png: cannot be read: it is neither PNG nor JPEG");
 }
 
+TEST_F(Textured, PicturesAreDecodedInTheirOrder) {
+  output::write_png(folder_.file("d.png"), 1, 2, std::vector<std::uint8_t>{255, 0, 0, 0, 0, 255});
+  Mesh mesh = scene().mesh;
+  EXPECT_EQ(mesh.albedo_maps.number_of({"d.png", read_all(folder_.file("d.png"))}), 1U);
+  EXPECT_EQ(mesh.albedo_maps.number_of({"d.png", read_all(folder_.file("c.png"))}), 2U) << "another name";
+  EXPECT_EQ(mesh.albedo_maps.number_of({"d.png", read_all(folder_.file("d.png"))}), 1U) << "the same again";
+  EXPECT_EQ(mesh.albedo_maps.at(1).name, "d.png");
+  const DecodedPictures pictures = decoded(mesh.albedo_maps, "t");
+  ASSERT_EQ(pictures->size(), 3U);
+  EXPECT_EQ((*pictures)[0].width, 2);
+  EXPECT_EQ((*pictures)[1].height, 2);
+  EXPECT_EQ((*pictures)[1].at(0, 1), Eigen::Vector3f::UnitZ());
+  EXPECT_EQ((*pictures)[2].pixels, (*pictures)[0].pixels);
+}
+
+TEST_F(Textured, SurfacesWithoutAPictureShowTheAlbedoOfTheirCorners) {
+  Mesh mesh = scene().mesh;
+  const std::size_t faces = mesh.faces.size();
+  append(mesh, primitive_mesh("plane"));
+  const Face plain = mesh.faces[faces];
+  mesh.albedo[plain[0]] = {1.0F, 0.0F, 0.25F};
+  mesh.albedo[plain[1]] = {0.0F, 1.0F, 0.25F};
+  mesh.albedo[plain[2]] = {0.0F, 0.0F, 0.25F};
+  const Hit hit{static_cast<std::uint32_t>(faces), 0.25F, 0.5F, 1.0F};
+  const SurfaceColors both(mesh, decoded(mesh.albedo_maps, "t"));
+  EXPECT_TRUE(both.has_picture(0));
+  EXPECT_FALSE(both.has_picture(plain[0]));
+  EXPECT_LT((both.at(hit) - Eigen::Vector3f(0.25F, 0.25F, 0.25F)).norm(), 1e-6F);
+  // Colors in place of the mesh's own hide its picture, too.
+  std::vector<Eigen::Vector3f> others(mesh.positions.size(), Eigen::Vector3f(0.5F, 1.0F, 0.0F));
+  others[plain[2]].setZero();
+  const SurfaceColors replaced(mesh, others);
+  EXPECT_FALSE(replaced.has_picture(0));
+  EXPECT_LT((replaced.at(hit) - Eigen::Vector3f(0.25F, 0.5F, 0.0F)).norm(), 1e-6F);
+  EXPECT_EQ(replaced.at({0, 0.2F, 0.3F, 1.0F}).y(), 1.0F);
+}
+
+TEST(Pictures, AreNoMoreThanTheirNumbersCount) {
+  Pictures pictures;
+  pictures.heads.resize(65534);
+  EXPECT_EQ(pictures.number_of({"last.png", "x"}), 65534U);
+  EXPECT_EQ(message_of([&] { pictures.number_of({"more.png", "y"}); }),
+            "more.png: a scene has more than 65535 pictures; expected fewer");
+  EXPECT_EQ(pictures.number_of({"last.png", "x"}), 65534U) << "known";
+}
+
+TEST(WithoutAlbedo, TakesEmissionOffAndDividesByTheColor) {
+  const std::vector<Eigen::Vector3f> radiance = {{3.0F, 1.0F, 5.0F}, {0.5F, 0.25F, 0.0F}};
+  const std::vector<Eigen::Vector3f> emitted = {{1.0F, 1.0F, 2.0F}, {0.0F, 0.25F, 0.0F}};
+  const std::vector<Eigen::Vector3f> albedo = {{0.5F, 0.25F, 0.0F}, {1.0F, 0.0F, 0.75F}};
+  const std::vector<Eigen::Vector3f> rest = without_albedo(radiance, emitted, albedo);
+  ASSERT_EQ(rest.size(), 2U);
+  EXPECT_EQ(rest[0], Eigen::Vector3f(4.0F, 0.0F, 0.0F));
+  EXPECT_EQ(rest[1], Eigen::Vector3f(0.5F, 0.0F, 0.0F));
+  EXPECT_EQ(without_albedo(radiance, {}, albedo)[0], Eigen::Vector3f(6.0F, 4.0F, 0.0F));
+}
+
 TEST_F(Textured, AppendedMeshesKeepTheirPicturesAndAtlases) {
   const Mesh one = scene(R"(, "texels": 3)").mesh;
   Mesh both = primitive_mesh("plane");
