@@ -18,6 +18,7 @@
 #include "prt/rays/directions.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/relight_stage.hpp"
+#include "prt/transfer/visibility.hpp"
 #include "prt/zonal.hpp"
 #include "tests/prt/lights.hpp"
 #include "tests/prt/rooms.hpp"
@@ -149,6 +150,31 @@ TEST(TransferredRadiance, AtPointsIsTheProjectedProductForAllDegrees) {
         }
       }
     }
+  }
+}
+
+// More rows than are prepared at a time, in memory and stored; nothing is written behind the last one.
+TEST(TransferLight, OfManyRowsIsThatOfEveryRowAlone) {
+  constexpr std::size_t kRows = 777;
+  constexpr float kBehind = 12.5F;
+  for (const auto& [degree, result] : {std::pair{4, 2}, {2, 4}, {3, 3}, {0, 1}}) {
+    Transfer volume = random_volume(degree, result);
+    const TransferShape shape = volume.shape;
+    const std::vector<float> all = random_values(kRows * shape.columns(), 9);
+    const std::vector<float> light = random_values(3 * coefficient_count(degree), 10);
+    const std::size_t length = 3 * coefficient_count(result);
+    std::vector<float> out((kRows + 1) * length, kBehind);
+    transfer_light(shape, Rows(all, {}, shape), light, out.data());
+    for (std::size_t row = 0; row < kRows; ++row) {
+      const auto first = all.begin() + static_cast<std::ptrdiff_t>(row * shape.columns());
+      const std::vector<float> one(first, first + static_cast<std::ptrdiff_t>(shape.columns()));
+      std::vector<float> expected(length);
+      transfer_light(shape, Rows(one, {}, shape), light, expected.data());
+      for (std::size_t i = 0; i < length; ++i) {
+        ASSERT_NEAR(out[row * length + i], expected[i], 1e-5F) << degree << " " << result << " " << row << " " << i;
+      }
+    }
+    for (std::size_t i = kRows * length; i < out.size(); ++i) EXPECT_EQ(out[i], kBehind);
   }
 }
 

@@ -137,6 +137,7 @@ TEST(SampledLight, CountsASunByTheShareThatThePointSees) {
 TEST(SampledLight, SeesTheWholeSunBesideAPlate) {
   const std::vector<LightSpec> lights{sun(4.0, {0, 0, 1})};
   const double radius = 0.5 * std::tan(4.0 * std::numbers::pi / 180.0);  // of the sun in the plane of the plate
+  int cut = 0;
   for (int degrees = 0; degrees < 360; degrees += 5) {
     const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ());
     Mesh mesh = plate();
@@ -147,7 +148,9 @@ TEST(SampledLight, SeesTheWholeSunBesideAPlate) {
     };
     EXPECT_EQ(share(1.001), 1.0) << degrees;
     EXPECT_NEAR(share(0.7), 0.9059, 0.04) << degrees;  // a segment of the disc is hidden
+    cut += share(0.9935) < 1.0 ? 1 : 0;
   }
+  EXPECT_GT(cut, 0) << "no ray is near the rim, where the outermost of 64 rings of one area has its middle";
 }
 
 TEST(SampledLight, TurnsWithLightAndSceneByQuarters) {
@@ -179,6 +182,17 @@ TEST(SampledLight, OverAMirrorIsMirrored) {
   EXPECT_NEAR(seen.at(0, 0), 2.0 * of_distant({sky}).at(0, 0), 0.01);
 }
 
+TEST(SampledLight, OfALightNearbyShowsInAMirror) {
+  Mesh mesh = primitive_mesh("plane", 1, Eigen::Affine3f(Eigen::Scaling(1e4F, 1e4F, 1.0F)));
+  mesh.mirror.assign(mesh.positions.size(), Eigen::Vector3f::Ones());
+  LightSpec ball = sun(1.0, {0, 0, 1});
+  ball.near = NearSphere{{0, 0, 50}, 20.0};
+  const LightCoefficients seen = sampled(mesh, {ball}, {0, 0, 0.1}, {16, 2}).light;
+  EXPECT_GT(seen.at(0, 0), 0.1);
+  for (const int l : {1, 3})
+    EXPECT_NEAR(seen.at(0, std::size_t(l * (l + 1))), 0.0, 1e-2 * seen.at(0, 0)) << l;  // odd in z
+}
+
 TEST(SampledLight, DoesNotDependOnTheNumberOfThreads) {
   const Mesh mesh = plate();
   const std::vector<LightSpec> lights{of_type(LightType::kCieOvercast), sun(2.0, {0.1, 0, 1})};
@@ -190,6 +204,7 @@ TEST(SampledLight, DoesNotDependOnTheNumberOfThreads) {
 TEST(SampledLight, TellsPointsInsideSolidsAndRefusesSizesOutOfRange) {
   const Mesh box = primitive_mesh("box");
   EXPECT_TRUE(sampled(box, {}, {0.1, 0, 0}).is_inside());
+  EXPECT_EQ(sampled(box, {}, {0.1, 0, 0}).back_share, 1.0);
   EXPECT_EQ(sampled(box, {}, {2, 0, 0}).back_share, 0.0);
   EXPECT_THROW(sampled(box, {}, {2, 0, 0}, {0, 1}), std::invalid_argument);
   EXPECT_THROW(sampled(box, {}, {2, 0, 0}, {kMostFacePixels + 1, 1}), std::invalid_argument);
