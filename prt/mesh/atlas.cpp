@@ -49,7 +49,6 @@ struct Flat {
     }
     return least;
   }
-  [[nodiscard]] Point middle() const { return (corners[0] + corners[1] + corners[2]) / 3.0; }
 };
 
 Flat flat_of(const Mesh& mesh, const Face& face, int size) {

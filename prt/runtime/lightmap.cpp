@@ -78,7 +78,7 @@ Seams measure_seams(const Mesh& mesh, const SurfaceReceivers& receivers, const s
     return receivers.in_atlas(mesh.atlas[edge[0]] - std::size_t{1}, place).mean(values);
   };
   const auto compare = [&](const Edge& a, const Edge& b) {  // both from one end to the other
-    const auto weight = static_cast<double>((mesh.positions[a[1]] - mesh.positions[a[0]]).norm()) / kSamples;
+    const auto weight = static_cast<double>((mesh.positions[a[1]] - mesh.positions[a[0]]).norm());
     for (int i = 0; i < kSamples; ++i) {
       const float part = (static_cast<float>(i) + 0.5F) / kSamples;
       const Eigen::Vector3f first = at(a, part);
