@@ -265,6 +265,18 @@ TEST(Atlas, TexelsBesideEachOtherThatLieFarApartAreNoNeighbors) {
   EXPECT_EQ(pairs(100.0F), 20U);
 }
 
+// The pixel of the first texel of the second atlas is the one beside the last texel of the first.
+TEST(Atlas, TexelsOfDifferentAtlasesAreNoNeighbors) {
+  Mesh mesh;
+  mesh.positions.assign(2, Eigen::Vector3f::Zero());
+  mesh.atlases.heads = {{4, 4, 0, 1}, {4, 4, 1, 1}};
+  mesh.atlases.pixels = {0, 1};
+  mesh.atlases.reach = {1.0F, 1.0F};
+  EXPECT_TRUE(neighboring_texels(mesh).empty());
+  mesh.atlases.heads = {{4, 4, 0, 2}};
+  EXPECT_EQ(neighboring_texels(mesh).size(), 1U);
+}
+
 // Every pixel of an atlas stands for one of the nearest texels.
 TEST(Atlas, PixelsWithoutATexelStandForTheNearestOne) {
   std::mt19937 random(8);

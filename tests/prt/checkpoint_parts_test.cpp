@@ -55,7 +55,7 @@ void fill(Results& made) {
 
 void expect_same_row(const FormFactorRow& a, const FormFactorRow& b) {
   ASSERT_EQ(a.size(), b.size());
-  if (a.size() == 0) return;  // null pointers
+  if (a.empty()) return;  // null pointers
   EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(FormFactor)), 0);
 }
 

@@ -173,7 +173,9 @@ TEST(Pictures, AreNoMoreThanTheirNumbersCount) {
   Pictures pictures;
   pictures.heads.resize(65534);
   EXPECT_EQ(pictures.number_of({"last.png", "x"}), 65534U);
-  EXPECT_EQ(message_of([&] { pictures.number_of({"more.png", "y"}); }),
+  EXPECT_EQ(message_of([&] {
+              pictures.number_of({"more.png", "y"});
+            }),
             "more.png: a scene has more than 65535 pictures; expected fewer");
   EXPECT_EQ(pictures.number_of({"last.png", "x"}), 65534U) << "known";
 }
