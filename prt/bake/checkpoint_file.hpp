@@ -1,5 +1,5 @@
 // A checkpoint on disk: a key that identifies its bake, then one record for each chunk of vertices, appended when the
-// chunk is finished. In: bytes of chunks. Out: all complete records, however the process ended. prt/README.md states
+// chunk is finished. In: bytes of chunks. Out: all complete records, however the process ended. prt/FILES.md states
 // every byte. A record that is incomplete or changed fails its checksum and is dropped.
 #pragma once
 #include <cstdint>

@@ -1,5 +1,5 @@
 // A scene: mesh, lights, camera and bake options. It comes from a JSON file, or from code for the names `demo` and
-// `disc`. World axes: z up, right-handed. prt/README.md lists the JSON keys.
+// `disc`. World axes: z up, right-handed. prt/FILES.md lists the JSON keys.
 #pragma once
 #include <Eigen/Core>
 #include <optional>

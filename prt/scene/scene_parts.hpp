@@ -1,4 +1,4 @@
-// The parts of a scene file, one function for each part (prt/README.md lists the keys), and the scenes made in code.
+// The parts of a scene file, one function for each part (prt/FILES.md lists the keys), and the scenes made in code.
 #pragma once
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-// The transfer file: mesh and transfer vectors with checksums. prt/README.md states every byte.
+// The transfer file: mesh and transfer vectors with checksums. prt/FILES.md states every byte.
 #pragma once
 #include <string>
 

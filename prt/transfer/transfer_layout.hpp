@@ -1,4 +1,4 @@
-// The layout of a transfer file, shared by its writer and its reader. prt/README.md states it byte by byte.
+// The layout of a transfer file, shared by its writer and its reader. prt/FILES.md states it byte by byte.
 #pragma once
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// The bytes of a checkpoint (prt/README.md states them): its start, and its checksums made good after a change.
+// The bytes of a checkpoint (prt/FILES.md states them): its start, and its checksums made good after a change.
 #pragma once
 #include <string>
 #include <string_view>

@@ -1,4 +1,4 @@
-// Reads a transfer file (prt/README.md states it byte by byte) and checks it as prt/transfer/transfer_reader.cpp does: the
+// Reads a transfer file (prt/FILES.md states it byte by byte) and checks it as prt/transfer/transfer_reader.cpp does: the
 // same checks in the same order, the same words. Numbers stay as they are stored; shaders decode them.
 import { checksum } from './checksum.js';
 
