@@ -120,12 +120,13 @@ TYPED_TEST(BatchDrivers, GiveARecordTheSameBitsWhereverItStands) {
   }
 }
 
-// Runs run(n, first record) for all records at once, then for one and two at a time, and expects the same values.
+// Runs run(n, first record) for all records at once, then for a few at a time, and expects the same values.
 template <class T, class Run>
 void expect_same_in_small_calls(std::size_t n, std::size_t size, const std::string& what, const Run& run) {
   std::vector<T> all(n * size);
   run(n, 0, all.data());
-  for (const std::size_t few : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{7}}) {
+  // 37 is whole blocks and 5 records.
+  for (const std::size_t few : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{7}, std::size_t{37}}) {
     std::vector<T> parts(n * size);
     for (std::size_t i = 0; i < n; i += few) run(std::min(few, n - i), i, parts.data() + i * size);
     EXPECT_EQ(parts, all) << what << ", " << few << " records at a time";

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "generated/batch/batch.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace sh::test {
@@ -53,6 +54,7 @@ class InstructionCounts : public testing::Test {
  protected:
   static void SetUpTestSuite() {
 #if defined(SHFORGE_VALGRIND)
+    if (!batch::available(batch::InstructionSet::kAvx2)) return;
     const TemporaryFolder folder;
     const std::string command = std::string("'" SHFORGE_VALGRIND "' --tool=callgrind --callgrind-out-file='") +
                                 (folder.path() / "dump").string() +
@@ -64,7 +66,7 @@ class InstructionCounts : public testing::Test {
 #endif
   }
   void SetUp() override {
-    if (counts().empty()) GTEST_SKIP() << "needs valgrind, and an x86 build without sanitizers";
+    if (counts().empty()) GTEST_SKIP() << "needs valgrind, a machine with AVX2 and a build without sanitizers";
   }
   static std::map<Case, Instructions>& counts() {
     static std::map<Case, Instructions> counts;
