@@ -27,8 +27,6 @@ Interval nearest_of_sum(double a, double b, const Format& format) {
   return {nearest(below(sum), format), nearest(above(sum), format)};
 }
 
-Interval hull(Interval a, Interval b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
-
 // Of numbers of a format of few digits, whose products are exact in double.
 Interval exact_product(Interval a, Interval b) {
   const auto [low, high] = std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});

@@ -35,8 +35,6 @@ Interval enclosure(const cln::cl_RA& value) {
   return {below(below(nearest)), above(above(nearest))};
 }
 
-Interval hull(Interval a, Interval b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
-
 }  // namespace
 
 double Format::half_ulp(double magnitude) const {

@@ -55,6 +55,8 @@ struct Interval {
   friend Interval sqrt(Interval a) { return {std::max(0.0, below(std::sqrt(a.low))), above(std::sqrt(a.high))}; }
   /// The interval widened by `by` on both sides.
   friend Interval widened(Interval a, double by) { return {below(a.low - by), above(a.high + by)}; }
+  /// The least interval that holds a and b.
+  friend Interval hull(Interval a, Interval b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
   /// The least interval that holds a and 0.
   friend Interval with_zero(Interval a) { return {std::min(a.low, 0.0), std::max(a.high, 0.0)}; }
 

@@ -8,12 +8,7 @@ namespace {
 template <class T>
 void state(FinishedKernel& finished, MeasuredError& error, const char* format) {
   error.proved = bound(finished.kernel, finished.domain, find_format(format));
-  const SeenError seen =
-      largest_seen<T>(finished.kernel, finished.domain, {error.proved->worst}, search_evaluations(finished.kernel));
-  error.rounding = seen.measured.rounding;
-  error.total = seen.measured.total;
-  error.worst = seen.measured.worst;
-  error.searched = seen.evaluations;
+  search_more<T>(error, finished.kernel, finished.domain, {error.proved->worst}, search_evaluations(finished.kernel));
 }
 
 }  // namespace

@@ -27,11 +27,12 @@ struct BoundOptions {
 };
 
 template <class T>
-SeenError seen_as(const Kernel& kernel, const Family& family, const bound::Bound& proved, int evaluations) {
+MeasuredError seen_as(const Kernel& kernel, const Family& family, const bound::Bound& proved, int evaluations) {
   return largest_seen<T>(kernel, family.domain, {proved.worst}, evaluations);
 }
 
-SeenError seen(const Kernel& kernel, const Family& family, const bound::Bound& proved, const BoundOptions& options) {
+MeasuredError seen(const Kernel& kernel, const Family& family, const bound::Bound& proved,
+                   const BoundOptions& options) {
   const int evaluations = options.evaluations > 0 ? options.evaluations : search_evaluations(kernel);
   const auto search = options.scalar == "half"    ? seen_as<Half>
                       : options.scalar == "float" ? seen_as<float>
@@ -43,19 +44,19 @@ std::string both_units(double absolute, double eps) {
   return absolute > 0 ? fmt::format("{:.2g} ({:.2f} eps)", absolute, eps) : fmt::format("{:.2f} eps", eps);
 }
 
-void print_report(const Kernel& kernel, const Family& family, const bound::Bound& proved, const SeenError& found) {
-  const Error& error = found.measured.rounding;
+void print_report(const Kernel& kernel, const Family& family, const bound::Bound& proved, const MeasuredError& found) {
+  const Error& error = found.rounding;
   if (proved.is_proved()) {
     std::cout << "rounding at most  " << both_units(proved.absolute, proved.eps) << ", proved on " << proved.boxes
               << (proved.every_number ? " numbers, all of the domain" : " boxes") << ", with and without contraction\n";
   } else {
     std::cout << "rounding          no bound is proved: " << proved.missing << '\n';
   }
-  std::cout << "largest seen      " << both_units(error.absolute, error.eps) << ", among " << found.measured.inputs
-            << ' ' << family.domain.inputs << " and " << found.evaluations << " evaluations of a search\n";
+  std::cout << "largest seen      " << both_units(error.absolute, error.eps) << ", among " << found.inputs << ' '
+            << family.domain.inputs << " and " << found.searched << " evaluations of a search\n";
   std::cout << "at                ";
   std::string separator;
-  for (const double value : found.measured.worst) {
+  for (const double value : found.worst) {
     std::cout << separator << fmt::format("{:.17g}", value);
     separator = ", ";
   }

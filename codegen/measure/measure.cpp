@@ -130,15 +130,12 @@ Size size_of(const Kernel& kernel, const Domain& domain) {
 }
 
 template <class T>
-MeasuredError measure(const Kernel& kernel, const Domain& domain, const std::vector<std::vector<double>>& more) {
-  MeasuredError result;
+void measure_more(MeasuredError& error, const Kernel& kernel, const Domain& domain,
+                  const std::vector<std::vector<double>>& inputs) {
   Evaluator<T> rounded = Arithmetic<T>::rounded(kernel);
   Evaluator<cln::cl_F> formula(kernel, kDigits);
   const bool always_in_domain = nearest_point(kernel.parameters).empty();
   const Size size_at = size_of(kernel, domain);
-  std::vector<std::vector<double>> inputs = domain.test_inputs(kernel.degree);
-  result.inputs = static_cast<int>(inputs.size());
-  inputs.insert(inputs.end(), more.begin(), more.end());
   for (const std::vector<double>& wanted : inputs) {
     std::vector<T> input;
     std::vector<cln::cl_F> exact_input;
@@ -154,16 +151,24 @@ MeasuredError measure(const Kernel& kernel, const Domain& domain, const std::vec
       const cln::cl_F value = exact(static_cast<double>(computed[i]));
       const auto element = static_cast<std::size_t>(kernel.element(i));
       const double size = size_at(wanted, element);
-      if (take_largest<T>(result.rounding, value - same_input[i], size)) result.worst = as_doubles(input);
-      take_largest<T>(result.total, value - in_domain[i], size);
+      if (take_largest<T>(error.rounding, value - same_input[i], size)) error.worst = as_doubles(input);
+      take_largest<T>(error.total, value - in_domain[i], size);
     }
   }
-  return result;
 }
 
-template MeasuredError measure<float>(const Kernel&, const Domain&, const std::vector<std::vector<double>>&);
-template MeasuredError measure<double>(const Kernel&, const Domain&, const std::vector<std::vector<double>>&);
-template MeasuredError measure<Half>(const Kernel&, const Domain&, const std::vector<std::vector<double>>&);
+template <class T>
+MeasuredError measure(const Kernel& kernel, const Domain& domain) {
+  const std::vector<std::vector<double>> inputs = domain.test_inputs(kernel.degree);
+  MeasuredError error;
+  error.inputs = static_cast<int>(inputs.size());
+  measure_more<T>(error, kernel, domain, inputs);
+  return error;
+}
+
+template MeasuredError measure<float>(const Kernel&, const Domain&);
+template MeasuredError measure<double>(const Kernel&, const Domain&);
+template MeasuredError measure<Half>(const Kernel&, const Domain&);
 
 FinishedKernel finish(Kernel kernel, Domain domain) {
   const Cost operations = cost(kernel);

@@ -35,9 +35,14 @@ struct MeasuredError {
   std::optional<bound::Bound> proved = {};  ///< the bound of the rounding error; empty: not asked for
 };
 
-/// T: float, double or Half. more: inputs beside the tested ones, such as those that a search found (search.hpp).
+/// The errors at the test inputs. T: float, double or Half.
 template <class T>
-MeasuredError measure(const Kernel& kernel, const Domain& domain, const std::vector<std::vector<double>>& more = {});
+MeasuredError measure(const Kernel& kernel, const Domain& domain);
+
+/// Takes more inputs into the errors, such as those that a search found (search.hpp). They do not count as test inputs.
+template <class T>
+void measure_more(MeasuredError& error, const Kernel& kernel, const Domain& domain,
+                  const std::vector<std::vector<double>>& inputs);
 
 /// A kernel at the end of the pipeline, with all facts that its file states.
 struct FinishedKernel {

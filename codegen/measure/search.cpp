@@ -21,7 +21,8 @@ using numeric::Wide;
 using Inputs = std::vector<std::vector<double>>;
 
 constexpr int kClimbs = 8;
-constexpr std::size_t kWalks = 2;      // in half precision
+template <class T>
+constexpr std::size_t kWalks = Arithmetic<T>::kWideRange ? 0 : 2;
 constexpr int kWalkLength = 8;         // climbs
 constexpr double kLeastInput = 1e-30;  // far from subnormal numbers; a search replaces smaller inputs by 0
 constexpr double kLeastSize = 1e-30;   // below it, products of float lose digits whatever the kernel does
@@ -217,10 +218,8 @@ class Search {
     points.push_back(worst_of(inputs));
     for (Point& point : points) climb(point, evaluations);
     std::stable_sort(points.begin(), points.end(), is_worse);
-    if (!Arithmetic<T>::kWideRange) {
-      for (std::size_t i = 0; i < std::min(points.size(), kWalks); ++i) walk(points[i], kWalkLength * evaluations);
-      std::stable_sort(points.begin(), points.end(), is_worse);
-    }
+    for (std::size_t i = 0; i < std::min(points.size(), kWalks<T>); ++i) walk(points[i], kWalkLength * evaluations);
+    std::stable_sort(points.begin(), points.end(), is_worse);
     Inputs found;
     for (Point& point : points) found.push_back(std::move(point.input));
     return found;
@@ -466,24 +465,34 @@ Domain in_half_range(const Domain& domain, const Kernel& kernel) {
 
 }  // namespace
 
+template <class T>
+void search_more(MeasuredError& error, const Kernel& kernel, const Domain& domain, const Inputs& starts,
+                 int evaluations) {
+  measure_more<T>(error, kernel, domain, search_inputs<T>(kernel, domain, starts, evaluations));
+  error.searched = (kClimbs + static_cast<int>(kWalks<T>) * kWalkLength) * evaluations;
+}
+
 template <>
-SeenError largest_seen<Half>(const Kernel& kernel, const Domain& domain, const std::vector<std::vector<double>>& starts,
-                             int evaluations) {
+MeasuredError largest_seen<Half>(const Kernel& kernel, const Domain& domain, const Inputs& starts, int evaluations) {
   const Domain narrow = in_half_range(domain, kernel);
-  return {measure<Half>(kernel, narrow, search_inputs<Half>(kernel, narrow, starts, evaluations)),
-          (kClimbs + static_cast<int>(kWalks) * kWalkLength) * evaluations};
+  MeasuredError error = measure<Half>(kernel, narrow);
+  search_more<Half>(error, kernel, narrow, starts, evaluations);
+  return error;
 }
 
 template <class T>
-SeenError largest_seen(const Kernel& kernel, const Domain& domain, const std::vector<std::vector<double>>& starts,
-                       int evaluations) {
-  return {measure<T>(kernel, domain, search_inputs<T>(kernel, domain, starts, evaluations)), kClimbs * evaluations};
+MeasuredError largest_seen(const Kernel& kernel, const Domain& domain, const Inputs& starts, int evaluations) {
+  MeasuredError error = measure<T>(kernel, domain);
+  search_more<T>(error, kernel, domain, starts, evaluations);
+  return error;
 }
 
 template Inputs search_inputs<float>(const Kernel&, const Domain&, const Inputs&, int);
 template Inputs search_inputs<double>(const Kernel&, const Domain&, const Inputs&, int);
 template Inputs search_inputs<Half>(const Kernel&, const Domain&, const Inputs&, int);
-template SeenError largest_seen<float>(const Kernel&, const Domain&, const Inputs&, int);
-template SeenError largest_seen<double>(const Kernel&, const Domain&, const Inputs&, int);
+template void search_more<float>(MeasuredError&, const Kernel&, const Domain&, const Inputs&, int);
+template void search_more<double>(MeasuredError&, const Kernel&, const Domain&, const Inputs&, int);
+template MeasuredError largest_seen<float>(const Kernel&, const Domain&, const Inputs&, int);
+template MeasuredError largest_seen<double>(const Kernel&, const Domain&, const Inputs&, int);
 
 }  // namespace sh::codegen

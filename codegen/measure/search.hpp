@@ -26,13 +26,14 @@ template <class T>
 std::vector<std::vector<double>> search_inputs(const Kernel& kernel, const Domain& domain,
                                                const std::vector<std::vector<double>>& starts, int evaluations);
 
-/// The largest errors among the tested inputs and those that a search found.
-struct SeenError {
-  MeasuredError measured;
-  int evaluations = 0;  ///< of the search, all climbs together
-};
+/// Takes the errors at inputs that a search found into those of the test inputs. T: float or double.
 template <class T>
-SeenError largest_seen(const Kernel& kernel, const Domain& domain, const std::vector<std::vector<double>>& starts,
-                       int evaluations);
+void search_more(MeasuredError& error, const Kernel& kernel, const Domain& domain,
+                 const std::vector<std::vector<double>>& starts, int evaluations);
+
+/// The largest errors among the test inputs and those that a search found. T: float, double or Half.
+template <class T>
+MeasuredError largest_seen(const Kernel& kernel, const Domain& domain, const std::vector<std::vector<double>>& starts,
+                           int evaluations);
 
 }  // namespace sh::codegen

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numeric/output/machine_error.hpp"
+
 namespace sh::output {
 
 namespace {
@@ -84,7 +86,7 @@ void AtomicFile::commit() {
 }
 
 void AtomicFile::fail(int error) const {
-  throw std::runtime_error(fmt::format("{}: cannot write: {}", path_, std::strerror(error)));
+  fail_by(error, fmt::format("{}: cannot write: {}", path_, std::strerror(error)));
 }
 
 void write_file(const std::string& path, std::string_view text) {

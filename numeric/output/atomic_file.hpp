@@ -9,7 +9,7 @@ namespace sh::output {
 
 /// After commit() the file and its name are on disk. Without commit() nothing remains, and an old file stays as it was. A
 /// destination that exists and is no regular file (a device, a pipe) is written directly. Errors (no permission, a full
-/// disk) throw std::runtime_error `path: cannot write: reason`.
+/// disk) throw as fail_by (machine_error.hpp) does: `path: cannot write: reason`.
 class AtomicFile {
  public:
   explicit AtomicFile(std::string path);

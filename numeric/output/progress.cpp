@@ -8,13 +8,15 @@
 #include <cstdio>
 #include <utility>
 
+#include "numeric/output/log.hpp"
+
 namespace sh::output {
 
 namespace {
 
 constexpr std::size_t kBarWidth = 32;
-constexpr auto kBarInterval = std::chrono::milliseconds(100);
-constexpr auto kLineInterval = std::chrono::seconds(5);
+constexpr std::chrono::milliseconds kBarInterval{100};
+constexpr std::chrono::milliseconds kLineInterval{5000};
 
 volatile std::sig_atomic_t stop_asked = 0;
 
@@ -38,7 +40,7 @@ void check_interrupt() {
 Progress::Progress(std::string what, std::size_t total)
     : what_(std::move(what)),
       total_(total),
-      terminal_(isatty(STDERR_FILENO) == 1),
+      terminal_(log_format() == LogFormat::kText && isatty(STDERR_FILENO) == 1),
       start_(std::chrono::steady_clock::now()),
       last_draw_(start_) {}
 
@@ -51,13 +53,18 @@ void Progress::advance(std::size_t steps) {
   done_ += steps;
   const std::unique_lock lock(drawing_, std::try_to_lock);
   const auto now = std::chrono::steady_clock::now();
-  if (lock.owns_lock() && (terminal_ ? now - last_draw_ >= kBarInterval : now - last_draw_ >= kLineInterval)) {
+  if (lock.owns_lock() && now - last_draw_ >= (terminal_ ? kBarInterval : kLineInterval)) {
     last_draw_ = now;
     draw(done_);
   }
 }
 
+double Progress::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
 void Progress::draw(std::size_t done) {
+  if (log_format() == LogFormat::kJson) return log_progress(what_, done, total_, seconds());
   const std::size_t percent = total_ == 0 ? 100 : std::min<std::size_t>(100, done * 100 / total_);
   if (terminal_) {
     const std::size_t filled = percent * kBarWidth / 100;
@@ -71,8 +78,8 @@ void Progress::draw(std::size_t done) {
 
 void Progress::finish() {
   const std::lock_guard lock(drawing_);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  fmt::print(stderr, "{}{}: done in {:.1f} s{}\n", terminal_ ? "\r" : "", what_, seconds,
+  if (log_format() == LogFormat::kJson) return log_progress(what_, total_, total_, seconds());
+  fmt::print(stderr, "{}{}: done in {:.1f} s{}\n", terminal_ ? "\r" : "", what_, seconds(),
              terminal_ ? std::string(kBarWidth, ' ') : "");
   open_line_ = false;
 }

@@ -1,4 +1,5 @@
-// Progress of long operations on standard error (a bar on a terminal, plain lines elsewhere), and interruption.
+// Progress of long operations on standard error (a bar on a terminal, plain lines elsewhere, or lines of JSON: log.hpp),
+// and interruption.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -31,6 +32,7 @@ class Progress {
   void finish();
 
  private:
+  [[nodiscard]] double seconds() const;
   void draw(std::size_t done);
 
   std::string what_;

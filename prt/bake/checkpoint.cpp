@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "numeric/output/parse_json.hpp"
+#include "prt/say.hpp"
 #include "prt/transfer/checksum.hpp"
 
 namespace sh::prt {
@@ -223,7 +224,7 @@ Checkpoint::Checkpoint(const CheckpointSettings& settings, const std::string& ke
       written_ += load(chunk, data) ? 1 : 0;
     });
   }
-  if (written_ > 0) fmt::print(stderr, "going on from {}: {} of {} parts\n", file_->path(), written_, restored_.size());
+  if (written_ > 0) say(fmt::format("going on from {}: {} of {} parts", file_->path(), written_, restored_.size()));
   if (file_ && !shard_.is_whole() && !is_named) file_->append(kShardRecord, to_json(settings));
   last_write_ = Clock::now();
 }

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numeric/output/machine_error.hpp"
 #include "numeric/output/parse_json.hpp"
 #include "prt/transfer/checksum.hpp"
 
@@ -188,7 +189,7 @@ void CheckpointFile::create() {
 
 void CheckpointFile::lock() {
   if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    fail("in use by another bake; wait for it, or give another --checkpoint");
+    throw output::MachineError(path_ + ": in use by another bake; wait for it, or give another --checkpoint");
   }
 }
 
@@ -227,8 +228,10 @@ void CheckpointFile::write(std::string_view bytes) {
       const int error = errno;
       [[maybe_unused]] const int ignored =
           ftruncate(descriptor_, static_cast<off_t>(end_));  // a torn record does no harm
-      fail(fmt::format("cannot write: {} (the finished parts are kept; --no-checkpoint bakes without a checkpoint)",
-                       std::strerror(error)));
+      output::fail_by(error,
+                      fmt::format("{}: cannot write: {} (the finished parts are kept; --no-checkpoint bakes without a "
+                                  "checkpoint)",
+                                  path_, std::strerror(error)));
     }
     done += std::max<ssize_t>(count, 0);
   }

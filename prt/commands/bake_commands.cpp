@@ -16,6 +16,7 @@
 #include "prt/plan/plan.hpp"
 #include "prt/runtime/fixed_view.hpp"
 #include "prt/runtime/glossy.hpp"
+#include "prt/say.hpp"
 #include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
@@ -98,55 +99,51 @@ void print_estimate(const BakeJob& job) {
 
 void report_clusters(const Clusters& clusters, const TransferShape& shape, const char* of) {
   if (clusters.empty()) return;
-  fmt::print(
-      stderr,
-      "prt: {} of {} clusters of {} vectors: {} bytes a vertex and {:.2f} MiB for all; the numbers lost {:.2g} of "
-      "themselves (rms)\n",
+  say(fmt::format(
+      "{} of {} clusters of {} vectors: {} bytes a vertex and {:.2f} MiB for all; the numbers lost {:.2g} of "
+      "themselves (rms)",
       of, clusters.count(), clusters.vectors, shape.receiver_bytes(),
-      static_cast<double>(shape.stored_rows(0) * shape.row_bytes()) / 1048576.0, clusters.error);
+      static_cast<double>(shape.stored_rows(0) * shape.row_bytes()) / 1048576.0, clusters.error));
 }
 
 void report_bake(const Transfer& transfer, const BakeReport& report) {
   for (const Decision& decision : transfer.plan.decisions) {
-    fmt::print(stderr, "prt: plan: {}: {} ({:.2g}, {})\n", decision.name, decision.choice, decision.error,
-               decision.basis);
+    say(fmt::format("plan: {}: {} ({:.2g}, {})", decision.name, decision.choice, decision.error, decision.basis));
   }
   if (const BounceReport& bounces = transfer.bounces; transfer.kind->indirect != nullptr) {
-    fmt::print(
-        stderr,
-        "prt: {} bounces, each {:.2g} of the one before, {:.2g} left of {:.3g} (measured); matrices of {} bytes a "
-        "vertex\n",
+    say(fmt::format(
+        "{} bounces, each {:.2g} of the one before, {:.2g} left of {:.3g} (measured); matrices of {} bytes a "
+        "vertex",
         bounces.applications, bounces.spectral_bound, bounces.residual, bounces.largest,
-        transfer.indirect_shape.receiver_bytes());
+        transfer.indirect_shape.receiver_bytes()));
   } else if (transfer.kind->has_bounces()) {
     std::string errors = fmt::format("certified error {:.2g} of {:.3g}", bounces.bound, bounces.largest);
     if (!transfer.emitted.empty()) {
       errors += fmt::format(", of emitted light {:.2g} of {:.3g}", bounces.emitted_bound, bounces.emitted_largest);
     }
-    fmt::print(stderr, "prt: bounces by {}: {} applications, {} (residual {:.2g}), largest eigenvalue at most {:.4g}\n",
-               bounces.solver, bounces.applications, errors, bounces.residual, bounces.spectral_bound);
+    say(fmt::format("bounces by {}: {} applications, {} (residual {:.2g}), largest eigenvalue at most {:.4g}",
+                    bounces.solver, bounces.applications, errors, bounces.residual, bounces.spectral_bound));
     if (bounces.between_vertices > 0.0) {
-      fmt::print(
-          stderr,
-          "prt: the certificate does not cover rays and interpolation: between vertices light is off by {:.2g} of "
-          "itself (rms, measured at centers of faces)\n",
-          bounces.between_vertices);
+      say(fmt::format(
+          "the certificate does not cover rays and interpolation: between vertices light is off by {:.2g} of "
+          "itself (rms, measured at centers of faces)",
+          bounces.between_vertices));
     }
   }
   report_clusters(transfer.clusters, transfer.shape, "rows");
   report_clusters(transfer.indirect_clusters, transfer.indirect_shape, "matrices");
   if (const auto lobe = sharpest_lobe(transfer); lobe && lobe->share < kLittleOfALobe) {
-    fmt::print(stderr, "prt: degree {} holds {:.2g} % of the lobe of exponent {:g} (in squares): it shows duller\n",
-               transfer.degree(), 100.0 * lobe->share, lobe->exponent);
+    say(fmt::format("degree {} holds {:.2g} % of the lobe of exponent {:g} (in squares): it shows duller",
+                    transfer.degree(), 100.0 * lobe->share, lobe->exponent));
   }
   const std::vector<double> shares = held_shares_of_brdfs(transfer);
   for (std::size_t i = 0; i < shares.size(); ++i) {
     if (shares[i] >= kLittleOfALobe) continue;
-    fmt::print(stderr, "prt: degree {} holds {:.2g} % of the BRDF `{}` to degree {} (in squares): it shows duller\n",
-               transfer.degree(), 100.0 * shares[i], transfer.mesh.brdfs.heads[i].name, kMaxDegree);
+    say(fmt::format("degree {} holds {:.2g} % of the BRDF `{}` to degree {} (in squares): it shows duller",
+                    transfer.degree(), 100.0 * shares[i], transfer.mesh.brdfs.heads[i].name, kMaxDegree));
   }
-  fmt::print(stderr, "prt: {} rays traced, {:.0f} MiB at the most\n", report.rays,
-             static_cast<double>(peak_memory()) / 1048576.0);
+  say(fmt::format("{} rays traced, {:.0f} MiB at the most", report.rays,
+                  static_cast<double>(peak_memory()) / 1048576.0));
 }
 
 void require_vectors(const BakeCommand& options, const Scene& scene) {
@@ -197,7 +194,7 @@ void run_medium_bake(const BakeCommand& options, Scene scene) {
 
 void run_shard(const BakeCommand& options, BakeJob job, const Stopwatch& stopwatch) {
   BakeReport report;
-  bake_shard(std::move(job), &report, [](const std::string& line) { fmt::print(stderr, "prt: {}\n", line); });
+  bake_shard(std::move(job), &report, say);
   report_time(stopwatch,
               fmt::format("traced {} rays of shard {}, into {}", report.rays, options.shard, options.output));
 }
@@ -223,8 +220,7 @@ void run_bake(const BakeCommand& options) {
   if (options.budget_seconds) job.budget = BakeBudget{*options.budget_seconds, stopwatch};
   BakeReport report;
   if (!options.shard.empty()) return run_shard(options, std::move(job), stopwatch);
-  const Transfer transfer = bake_to_file(options.output, std::move(job), &report,
-                                         [](const std::string& line) { fmt::print(stderr, "prt: {}\n", line); });
+  const Transfer transfer = bake_to_file(options.output, std::move(job), &report, say);
   report_bake(transfer, report);
   if (!options.vectors.empty()) write_transfer(options.vectors, diffuse_vectors(transfer));
   report_time(stopwatch, fmt::format("baked {} vertices, {} faces, degree {}, {} directions, into {}",
@@ -239,7 +235,7 @@ void run_plan(const PlanCommand& options) {
   options.apply_to(scene);
   if (options.plan.empty()) scene.plan.mode = PlanMode::kLossy;
   const BakeJob job = planned({std::move(scene), {.threads = options.threads}});
-  for (const FittedBrdf& fitted : job.fits) fmt::print(stderr, "prt: {}\n", described(fitted));
+  for (const FittedBrdf& fitted : job.fits) say(described(fitted));
   print_out(options.json ? plan_json(*job.plan, job.scene) + "\n" : plan_text(*job.plan, job.scene));
   report_time(stopwatch, "planned");
 }

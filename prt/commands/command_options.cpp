@@ -13,7 +13,9 @@
 #include <sstream>
 
 #include "numeric/output/atomic_file.hpp"
+#include "numeric/output/machine_error.hpp"
 #include "prt/commands/commands.hpp"
+#include "prt/say.hpp"
 #include "prt/scene/scene_parts.hpp"
 
 namespace sh::prt {
@@ -86,7 +88,7 @@ LightCoefficients project_windowed(const std::vector<Light>& lights, int degree,
     throw std::runtime_error("the lights exceed single precision; expected weaker ones, below 1e37");
   }
   if (!options.window.empty()) done.push_back(apply_window(choice_of(options), light));
-  for (const Deringing& one : done) fmt::print(stderr, "prt: {}\n", describe(one));
+  for (const Deringing& one : done) say(describe(one));
   if (windowed != nullptr) *windowed = done;
   return light;
 }
@@ -173,7 +175,7 @@ void require_stops(float stops) {
 
 void print_out(std::string_view text) {
   std::cout << text << std::flush;
-  if (!std::cout) throw std::runtime_error("standard output: cannot write");
+  if (!std::cout) throw output::MachineError("standard output: cannot write");
 }
 
 void print_json(const Json& json) { print_out(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); }
@@ -197,7 +199,7 @@ void require_finite(const std::vector<Eigen::Vector3f>& radiance, const std::str
 }
 
 void report_time(const Stopwatch& stopwatch, const std::string& what) {
-  fmt::print(stderr, "prt: {} in {:.2f} s\n", what, stopwatch.seconds());
+  say(fmt::format("{} in {:.2f} s", what, stopwatch.seconds()));
 }
 
 }  // namespace sh::prt

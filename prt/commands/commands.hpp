@@ -22,6 +22,9 @@ namespace sh::prt {
 using Json = nlohmann::ordered_json;
 using output::Stopwatch;
 
+/// The exit code where the machine failed, not the input: EX_TEMPFAIL of sysexits.h.
+inline constexpr int kRetry = 75;
+
 /// Runs the command of a command line; an error is one line on standard error. Returns the exit code.
 int run_tool(int argc, char** argv);
 

@@ -25,7 +25,7 @@
 namespace sh::prt {
 namespace {
 
-struct Options {
+struct CompareOptions {
   std::string first;
   std::string second;
   std::string output;
@@ -72,7 +72,7 @@ std::string title(double rms, double largest) {
   return fmt::format("rms {:.2g} %, largest {:.2g} %", 100 * rms, 100 * largest);
 }
 
-Compared compare_transfers(const Options& options) {
+Compared compare_transfers(const CompareOptions& options) {
   const Transfer first = read_transfer(options.first);
   const Transfer second = read_transfer(options.second);
   if (first.mesh.frame != second.mesh.frame || first.mesh.positions != second.mesh.positions ||
@@ -102,7 +102,7 @@ Compared compare_transfers(const Options& options) {
   return compared;
 }
 
-Compared compare_pictures(const Options& options) {
+Compared compare_pictures(const CompareOptions& options) {
   const Image first = read_image(options.first, on_flaw(options.light.strict));
   const Image second = read_image(options.second, on_flaw(options.light.strict));
   if (first.width != second.width || first.height != second.height) {
@@ -138,7 +138,7 @@ Compared compare_pictures(const Options& options) {
   return compared;
 }
 
-void run(const Options& options) {
+void run_compare_command(const CompareOptions& options) {
   if (!options.output.empty()) {
     require_output(options.output, {".png"});
     output::require_no_input(options.output, {options.first, options.second, options.light.scene, options.light.light});
@@ -165,7 +165,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_compare_command(CLI::App& tool) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   CLI::App& command = *tool.add_subcommand("compare", "compare two bakes of one mesh, or two HDR pictures");
   command.add_option("FILE", options->first, "transfer file, or a picture (.exr, .hdr)")->required();
   command.add_option("REFERENCE", options->second, "reference of the same type; errors are relative to it")->required();
@@ -175,7 +175,7 @@ void add_compare_command(CLI::App& tool) {
   command.add_option("--height", options->size.height, "height of the picture in pixels, for bakes");
   command.add_option("--samples", options->size.samples, "rays for each pixel, for bakes");
   options->light.add_to(command);
-  run_with_threads(command, options, run);
+  run_with_threads(command, options, run_compare_command);
 }
 
 }  // namespace sh::prt

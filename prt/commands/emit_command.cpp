@@ -9,6 +9,7 @@
 #include "prt/commands/commands.hpp"
 #include "prt/emit/emit.hpp"
 #include "prt/plan/bounds.hpp"
+#include "prt/say.hpp"
 #include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
@@ -68,10 +69,10 @@ void run_emit(const EmitCommand& options) {
   }
   for (const EmittedFile& file : emitted.files) {
     output::write_file(path_of(file), file.bytes);
-    fmt::print(stderr, "prt: {}: {} bytes\n", path_of(file), file.bytes.size());
+    say(fmt::format("{}: {} bytes", path_of(file), file.bytes.size()));
   }
-  fmt::print(stderr, "prt: {} operations a vertex for the light, {} without the mask\n", emitted.cost.operations,
-             emitted.cost.unmasked);
+  say(fmt::format("{} operations a vertex for the light, {} without the mask", emitted.cost.operations,
+                  emitted.cost.unmasked));
   report_time(stopwatch, "emitted the run time of " + options.file);
 }
 

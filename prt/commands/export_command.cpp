@@ -9,6 +9,7 @@
 #include "numeric/output/atomic_file.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/formats/formats.hpp"
+#include "prt/say.hpp"
 #include "prt/scene/coefficients_json.hpp"
 #include "prt/transfer/transfer_file.hpp"
 
@@ -74,7 +75,7 @@ void export_light(const ExportCommand& options, const LightFormat& format) {
       throw std::runtime_error(fmt::format("--degree {}: {} holds degree 0 to {}; {}, would be lost", degree,
                                            format.name, format.degree, loss));
     }
-    fmt::print(stderr, "prt: {} holds degree 0 to {}: {}, are left out\n", format.name, format.degree, loss);
+    say(fmt::format("{} holds degree 0 to {}: {}, are left out", format.name, format.degree, loss));
   }
   LightCoefficients held = LightCoefficients::zero(format.degree);
   const Eigen::Index rows = std::min(held.matrix().rows(), light.matrix().rows());
@@ -99,7 +100,7 @@ void export_transfer(const ExportCommand& options, const TransferFormat& format)
   output::require_no_input(options.output, {options.subject});
   const Transfer transfer = read_transfer(options.subject);
   if (!transfer.mesh.brdf.empty() || !transfer.mesh.normal_map.empty()) {
-    fmt::print(stderr, "prt: {} holds no tables of BRDFs and no normal maps: they are left out\n", format.name);
+    say(fmt::format("{} holds no tables of BRDFs and no normal maps: they are left out", format.name));
   }
   std::string bytes;
   try {

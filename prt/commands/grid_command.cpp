@@ -11,7 +11,7 @@
 namespace sh::prt {
 namespace {
 
-struct Options {
+struct GridOptions {
   std::string scene;
   std::string output;
   LightGrid grid;
@@ -28,7 +28,7 @@ Transfer shadowed(Scene scene, int degree) {
   return bake({std::move(scene)});
 }
 
-void run(const Options& options) {
+void run_grid_command(const GridOptions& options) {
   const Stopwatch stopwatch;
   require_output(options.output, {".png"});
   LightGrid grid = options.grid;
@@ -50,7 +50,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_grid_command(CLI::App& tool) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GridOptions>();
   CLI::App& command = *tool.add_subcommand(
       "grid", "draw a scene's shadows under lights of several sizes, at several degrees, without and with window");
   command.add_option("SCENE", options->scene, "a scene's JSON file, `demo` or `disc`, the embedded scenes")->required();
@@ -66,7 +66,7 @@ void add_grid_command(CLI::App& tool) {
   command.add_option("--width", options->grid.width, "width of the picture in pixels");
   options->grid.window.add_to(command);
   command.add_flag("--strict", options->strict, "refuse input that would otherwise be mended with a warning");
-  run_with_threads(command, options, run);
+  run_with_threads(command, options, run_grid_command);
 }
 
 }  // namespace sh::prt

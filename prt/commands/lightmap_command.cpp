@@ -8,6 +8,7 @@
 #include "prt/commands/subject.hpp"
 #include "prt/kinds/kinds.hpp"
 #include "prt/runtime/lightmap.hpp"
+#include "prt/say.hpp"
 
 namespace sh::prt {
 namespace {
@@ -69,10 +70,10 @@ std::vector<ExrChannel> rows_of(const Transfer& transfer, const SurfaceReceivers
 void tell_seams(const Mesh& mesh, const SurfaceReceivers& receivers, const std::vector<Eigen::Vector3f>& values) {
   const Seams seams = measure_seams(mesh, receivers, values);
   if (seams.edges == 0) return;
-  fmt::print(stderr,
-             "prt: along {} edges at which the surface goes on elsewhere in the atlas, both sides differ by {:.2g} "
-             "(root mean square), {:.2g} of the value\n",
-             seams.edges, seams.difference, seams.value > 0.0 ? seams.difference / seams.value : 0.0);
+  say(
+      fmt::format("along {} edges at which the surface goes on elsewhere in the atlas, both sides differ by {:.2g} "
+                  "(root mean square), {:.2g} of the value",
+                  seams.edges, seams.difference, seams.value > 0.0 ? seams.difference / seams.value : 0.0));
 }
 
 void run_lightmap(const LightmapCommand& options) {

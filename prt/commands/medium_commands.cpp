@@ -11,6 +11,7 @@
 #include "prt/medium/bake_medium.hpp"
 #include "prt/medium/lit_medium.hpp"
 #include "prt/medium/scattered_light.hpp"
+#include "prt/say.hpp"
 #include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
@@ -24,15 +25,15 @@ void report_coarseness(const Scene& scene) {
   const double depth =
       static_cast<double>(*std::max_element(density.values.begin(), density.values.end())) * density.spacing.maxCoeff();
   if (depth > 1.0) {
-    fmt::print(stderr,
-               "prt: the densest voxels are {:.3g} mean free paths thick: interpolation between them spreads light "
-               "further than the medium does; more voxels would hold it\n",
-               depth);
+    say(
+        fmt::format("the densest voxels are {:.3g} mean free paths thick: interpolation between them spreads light "
+                    "further than the medium does; more voxels would hold it",
+                    depth));
   }
   const double lost = std::pow(std::abs(scene.medium->anisotropy), scene.bake.degree + 1);
   if (lost > 0.01) {
-    fmt::print(stderr, "prt: degree {} cuts the phase function off where its bands are still {:.2g}: it shows duller\n",
-               scene.bake.degree, lost);
+    say(fmt::format("degree {} cuts the phase function off where its bands are still {:.2g}: it shows duller",
+                    scene.bake.degree, lost));
   }
 }
 
@@ -41,8 +42,8 @@ void report_scattering(const BounceReport& report) {
                             : std::isfinite(report.bound) && report.bound > 0.0
                                 ? fmt::format("error {:.2g}, not as small as asked for", report.bound)
                                 : fmt::format("{:.2g} left", report.residual) + " (measured)";
-  fmt::print(stderr, "prt: scattering by {}: {} applications, {} of {:.3g}\n", report.solver, report.applications,
-             error, report.largest);
+  say(fmt::format("scattering by {}: {} applications, {} of {:.3g}", report.solver, report.applications, error,
+                  report.largest));
 }
 
 class ShownMedium : public Shown {
@@ -123,15 +124,15 @@ void bake_medium_to_file(const Scene& scene, std::size_t bounce_memory, const st
   const MediumEstimate estimate = estimate_medium(scene, bounce_memory);
   constexpr double kWorthSaying = 2.0;  // seconds
   if (estimate.seconds >= kWorthSaying) {
-    fmt::print(stderr,
-               "prt: about {:.2g} s before the first order of scattering, {:.0f} MiB: {} voxels, {} directions\n",
-               estimate.seconds, static_cast<double>(estimate.bytes) / kMiB, estimate.voxels, estimate.directions);
+    say(fmt::format("about {:.2g} s before the first order of scattering, {:.0f} MiB: {} voxels, {} directions",
+                    estimate.seconds, static_cast<double>(estimate.bytes) / kMiB, estimate.voxels,
+                    estimate.directions));
   }
   report_coarseness(scene);
   const Transfer transfer = bake_medium(scene, bounce_memory);
   write_transfer(output, transfer);
   report_scattering(transfer.bounces);
-  fmt::print(stderr, "prt: {:.0f} MiB at the most\n", static_cast<double>(peak_memory()) / kMiB);
+  say(fmt::format("{:.0f} MiB at the most", static_cast<double>(peak_memory()) / kMiB));
   report_time(stopwatch, fmt::format("baked {} voxels, degree {}, {} directions, into {}", estimate.voxels,
                                      transfer.degree(), estimate.directions, output));
 }

@@ -7,6 +7,7 @@
 #include "prt/formats/formats.hpp"
 #include "prt/mesh/frame.hpp"
 #include "prt/runtime/probe_grid.hpp"
+#include "prt/say.hpp"
 #include "prt/scene/coefficients_json.hpp"
 
 namespace sh::prt {
@@ -98,10 +99,10 @@ void run_probes(const ProbesCommand& options) {
   if (options.check > 0) {
     const ProbeErrors errors = measure_probes(sampler, probes, options.check, 1);
     out["errors_between_probes"] = errors_json(errors);
-    fmt::print(stderr,
-               "prt: between probes, at {} points outside of solids, the light is off by {:.2g} (root mean square) and "
-               "{:.2g} (largest, at {:.3g} {:.3g} {:.3g})\n",
-               errors.points, errors.rms, errors.largest, errors.where.x(), errors.where.y(), errors.where.z());
+    say(
+        fmt::format("between probes, at {} points outside of solids, the light is off by {:.2g} (root mean square) and "
+                    "{:.2g} (largest, at {:.3g} {:.3g} {:.3g})",
+                    errors.points, errors.rms, errors.largest, errors.where.x(), errors.where.y(), errors.where.z()));
   }
   for (const LightCoefficients& light : probes.light) out["probes"].push_back(probe_json(light, format));
   output::write_file(options.output, out.dump(1) + "\n");

@@ -137,7 +137,7 @@ class Sequence {
   float exposure_ = 1.0F;
 };
 
-void run(const RenderCommand& options) {
+void run_render_command(const RenderCommand& options) {
   check(options);
   PictureFiles files(options.output, options.frames, options.size.width, options.size.height, options.animation);
   const Stopwatch stopwatch;
@@ -186,7 +186,7 @@ void add_render_command(CLI::App& tool) {
       ->check(CLI::IsMember(std::vector<std::string>(kTurntables.begin(), kTurntables.end())));
   command.add_option("--fps", options->animation.frames_a_second, "frames a second of a .webp file");
   command.add_option("--quality", options->animation.quality, "quality of a .webp file, 0 to 100; 100 is lossless");
-  run_with_threads(command, options, run);
+  run_with_threads(command, options, run_render_command);
 }
 
 }  // namespace sh::prt

@@ -64,7 +64,8 @@ void SceneOptions::apply_to(Scene& loaded) const {
   made.without.insert(made.without.end(), without.begin(), without.end());
 }
 
-std::vector<std::string> words_without(const CLI::App& command, const std::vector<std::string>& left_out) {
+std::vector<std::string> words_without(const CLI::App& command, std::vector<std::string> left_out) {
+  left_out.emplace_back("--log");  // changes no result
   std::vector<std::string> words = {command.get_name()};
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || std::find(left_out.begin(), left_out.end(), option->get_name()) != left_out.end()) {

@@ -31,6 +31,6 @@ struct SceneOptions {
 };
 
 /// The words of a command line that gives the options of a command, but for those left out; the first word is its name.
-std::vector<std::string> words_without(const CLI::App& command, const std::vector<std::string>& left_out);
+std::vector<std::string> words_without(const CLI::App& command, std::vector<std::string> left_out);
 
 }  // namespace sh::prt

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "prt/bake/bake.hpp"
 #include "prt/bake/checkpoint.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/medium_commands.hpp"
 #include "prt/commands/scene_options.hpp"
+#include "prt/say.hpp"
 
 namespace sh::prt {
 namespace {
@@ -23,6 +25,7 @@ struct ShardsCommand : SceneOptions {
   std::string output;
   std::string instruction_set;
   std::size_t bounce_memory = 4096;  // MiB
+  std::optional<double> price;       // of a machine for an hour
   std::vector<std::string> words;    // of a bake of the whole
 };
 
@@ -104,9 +107,15 @@ std::string slurm_text(const Job& job) {
       "#SBATCH --time={}\n"
       "#SBATCH --mem={}M\n"
       "#SBATCH --requeue\n"
-      "exec {}\n",
+      "{}\n"
+      "status=$?\n"
+      "if [ $status = {} ] && [ \"${{SLURM_RESTART_COUNT:-0}}\" -lt 3 ]; then  # the machine failed: another one may "
+      "do it\n"
+      "  scontrol requeue \"${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID\"\n"
+      "fi\n"
+      "exit $status\n",
       shell_line({shell_line(job.merge())}), job.count(), job.minutes(), job.mebibytes(),
-      with_variable(job.shard(token), token, "SLURM_ARRAY_TASK_ID"));
+      with_variable(job.shard(token), token, "SLURM_ARRAY_TASK_ID"), kRetry);
 }
 
 // Words as a list of Python.
@@ -148,9 +157,15 @@ void run_shards(const ShardsCommand& options) {
             : options.system == "parallel" ? parallel_text(shared)
             : options.system == "opencue"  ? opencue_text(shared)
                                            : commands_text(shared));
-  fmt::print(stderr, "prt: {} shards of about {:.2g} s each on this machine, {:.0f} MiB each\n", options.count,
-             estimate.setup_seconds + estimate.pass_seconds / options.count,
-             static_cast<double>(estimate.bytes) / 1048576.0);
+  const double shard_seconds = estimate.setup_seconds + estimate.pass_seconds / options.count;
+  say(fmt::format("{} shards of about {:.2g} s each on this machine, {:.0f} MiB each", options.count, shard_seconds,
+                  static_cast<double>(estimate.bytes) / 1048576.0));
+  if (!options.price) return;
+  // A merge traces nothing, and does not know how many bounces matrices take.
+  const double merge_seconds = estimate.setup_seconds + estimate.bounces * estimate.bounce_seconds;
+  const double hours = (options.count * shard_seconds + merge_seconds) / 3600.0;
+  say(fmt::format("all of them and the merge: {:.3g} hours, {:.3g} at {:g} an hour", hours, hours * *options.price,
+                  *options.price));
 }
 
 }  // namespace
@@ -173,9 +188,11 @@ void add_shards_command(CLI::App& tool) {
                      "instruction set for rays, which all machines must have; default: the best up to avx2");
   command.add_option("--bounce-memory", options->bounce_memory, "MiB for the hits of rays, as of `bake`")
       ->check(CLI::Range(0, 1 << 30));
+  command.add_option("--price", options->price, "of a machine like this for an hour: tells what all shards cost")
+      ->check(CLI::Range(0.0, 1e9));
   command.add_option("--threads", options->threads, "number of threads of the estimate; 0: every core");
   command.callback([options, &command] {
-    options->words = words_without(command, {"--count", "--for", "--output", "--threads"});
+    options->words = words_without(command, {"--count", "--for", "--output", "--threads", "--price"});
     options->words.front() = "bake";
     with_threads(options->threads, [&] { run_shards(*options); });
   });

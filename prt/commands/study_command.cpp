@@ -13,7 +13,7 @@
 namespace sh::prt {
 namespace {
 
-struct Options {
+struct StudyCommandOptions {
   std::string scene;
   std::string out;
   bool quick = false;
@@ -24,7 +24,7 @@ struct Options {
   std::string instruction_set;
 };
 
-StudyOptions study_options(const Options& options) {
+StudyOptions study_options(const StudyCommandOptions& options) {
   StudyOptions result;
   if (options.quick) {
     result.vertices = 250;
@@ -76,7 +76,7 @@ void write(const std::string& folder, const Study& study, const Scene& scene) {
                      study_json(study, scene).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-void run(const Options& options) {
+void run_study_command(const StudyCommandOptions& options) {
   const Stopwatch stopwatch;
   make_folder(options.out);
   const Scene scene = load_scene(options.scene, on_flaw(options.strict));
@@ -91,7 +91,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_study_command(CLI::App& tool) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyCommandOptions>();
   CLI::App& command = *tool.add_subcommand(
       "study", "measure error against time: directions, degree, bounces, storage; of glossy scenes the run time");
   command.add_option("SCENE", options->scene, "a scene's JSON file, `demo` or `disc`, the embedded scenes")->required();
@@ -104,7 +104,7 @@ void add_study_command(CLI::App& tool) {
   command.add_option("--instruction-set", options->instruction_set,
                      "instruction set for rays: sse4.2, avx, avx2 or avx512");
   command.add_flag("--strict", options->strict, "refuse input that would otherwise be mended with a warning");
-  run_with_threads(command, options, run, "; timed work runs on one");
+  run_with_threads(command, options, run_study_command, "; timed work runs on one");
 }
 
 }  // namespace sh::prt

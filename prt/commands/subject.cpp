@@ -8,6 +8,7 @@
 
 #include "numeric/output/atomic_file.hpp"
 #include "numeric/output/png.hpp"
+#include "prt/say.hpp"
 #include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
@@ -156,7 +157,7 @@ void Subject::make_sharp() {
   sharp_.emplace([this](const Eigen::Vector3d& direction) { return sh::prt::radiance(chosen_.lights, direction); },
                  shading_.degree_for(transfer.degree()), std::move(shown));
   for (const FittedBrdf& fitted : sharp_->fits()) {
-    fmt::print(stderr, "prt: above degree {}: {}\n", transfer.degree(), described(fitted));
+    say(fmt::format("above degree {}: {}", transfer.degree(), described(fitted)));
   }
 }
 

@@ -8,9 +8,12 @@
 #include <exception>
 #include <iterator>
 #include <limits>
+#include <new>
+#include <string>
 #include <string_view>
 
-#include "numeric/output/printable.hpp"
+#include "numeric/output/log.hpp"
+#include "numeric/output/machine_error.hpp"
 #include "numeric/output/progress.hpp"
 #include "numeric/output/version.hpp"
 #include "prt/commands/commands.hpp"
@@ -70,6 +73,24 @@ void settle_options(CLI::App& tool) {
   }
 }
 
+// `--log` of every command that does something.
+void add_log_option(CLI::App& tool) {
+  for (CLI::App* command : tool.get_subcommands({})) {
+    add_log_option(*command);
+    if (!command->get_subcommands({}).empty()) continue;
+    command
+        ->add_option_function<std::string>(
+            "--log",
+            [](const std::string& format) {
+              sh::output::set_log_format(format == "json" ? sh::output::LogFormat::kJson
+                                                          : sh::output::LogFormat::kText);
+            },
+            "text or json: progress and messages on standard error as lines for people, or as one JSON object a line")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->default_str("text");
+  }
+}
+
 // "bake, relight or render"
 std::string command_names(CLI::App& tool) {
   const std::vector<CLI::App*> commands = tool.get_subcommands({});
@@ -83,9 +104,11 @@ std::string command_names(CLI::App& tool) {
 int run(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is then an error of write(), reported like a full disk
   sh::output::stop_on_interrupt();
+  sh::output::set_log_format(sh::output::LogFormat::kText);
   CLI::App tool("Precomputed radiance transfer with spherical harmonics: bake, relight, render.", "prt");
   tool.set_version_flag("--version", sh::output::version_of("prt"));
   add_commands(argc > 1 ? argv[1] : "", tool);
+  add_log_option(tool);
   settle_options(tool);
   if (argc == 1) {
     std::fputs(tool.help().c_str(), stderr);
@@ -98,8 +121,8 @@ int run(int argc, char** argv) {
     return tool.exit(done);
   } catch (const CLI::ParseError& error) {
     if (!tool.get_subcommands().empty()) throw;
-    std::fprintf(stderr, "prt: expected a command (%s), got `%s`\n", command_names(tool).c_str(),
-                 sh::output::printable(argc > 1 ? argv[1] : "").c_str());
+    const std::string got = argc > 1 ? argv[1] : "";
+    sh::output::log_line("error", "prt: ", "expected a command (" + command_names(tool) + "), got `" + got + "`");
     return 2;
   }
 }
@@ -109,17 +132,22 @@ int run(int argc, char** argv) {
 namespace sh::prt {
 
 int run_tool(int argc, char** argv) {
+  const auto failed = [](std::string_view line, int status) {
+    output::log_line("error", "prt: ", line);
+    return status;
+  };
   try {
     return run(argc, argv);
-  } catch (const sh::output::Interrupted& stop) {
-    std::fprintf(stderr, "prt: %s\n", sh::output::printable(stop.what()).c_str());
-    return 130;
-  } catch (const sh::prt::CheckFailed& difference) {
-    std::fprintf(stderr, "prt: %s\n", sh::output::printable(difference.what()).c_str());
-    return 1;
+  } catch (const output::Interrupted& stop) {
+    return failed(stop.what(), 130);
+  } catch (const CheckFailed& difference) {
+    return failed(difference.what(), 1);
+  } catch (const output::MachineError& error) {
+    return failed(error.what(), kRetry);
+  } catch (const std::bad_alloc&) {
+    return failed("this machine has too little memory for it", kRetry);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "prt: %s\n", sh::output::printable(error.what()).c_str());
-    return 2;
+    return failed(error.what(), 2);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "prt/runtime/fixed_view.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/vertex_shader.hpp"
+#include "prt/say.hpp"
 #include "prt/transfer/kept_bands.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "prt/transfer/transfer_json.hpp"
@@ -41,13 +42,13 @@ void relight_frame(const RelightCommand& options, Subject& subject, int frame) {
   const Stopwatch stopwatch;
   const std::vector<Eigen::Vector3f> radiance = subject.radiance(poses, Eigen::Matrix3d::Identity(), eye);
   report_time(stopwatch, fmt::format("relit {} vertices", radiance.size()));
-  if (subject.is_glossy()) fmt::print(stderr, "prt: seen from {:.4g} {:.4g} {:.4g}\n", eye.x(), eye.y(), eye.z());
+  if (subject.is_glossy()) say(fmt::format("seen from {:.4g} {:.4g} {:.4g}", eye.x(), eye.y(), eye.z()));
   const std::string name = frame_name(options.output, frame, options.frames);
   write_ply(name, mesh, radiance);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3f& value : radiance) mean += value.cast<double>() / static_cast<double>(radiance.size());
-  fmt::print(stderr, "prt: {}: {} vertices, {} faces, mean exit radiance {:.4g} {:.4g} {:.4g}\n", name, radiance.size(),
-             mesh.faces.size(), mean.x(), mean.y(), mean.z());
+  say(fmt::format("{}: {} vertices, {} faces, mean exit radiance {:.4g} {:.4g} {:.4g}", name, radiance.size(),
+                  mesh.faces.size(), mean.x(), mean.y(), mean.z()));
 }
 
 void run_relight(const RelightCommand& options) {

@@ -18,6 +18,7 @@
 #include "numeric/output/atomic_file.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/runtime/relight_stage.hpp"
+#include "prt/say.hpp"
 #include "prt/scene/coefficients_json.hpp"
 #include "prt/scene/stage.hpp"
 #include "prt/transfer/transfer_file.hpp"
@@ -201,11 +202,11 @@ void serve(const ViewCommand& options) {
   const Chosen chosen = all_chosen(options);
   serve_page(page_of(options, chosen, FilesOfPage::kServed), chosen.viewed.files, options.port, projected,
              [](const std::string& address) {
-               fmt::print(stderr, "prt: open {} in a browser of this machine; Ctrl-C ends\n", address);
+               say(fmt::format("open {} in a browser of this machine; Ctrl-C ends", address));
              });
 }
 
-void run(const ViewCommand& options) {
+void run_view_command(const ViewCommand& options) {
   if (options.serve == !options.output.empty()) {
     throw std::runtime_error("expected either -o FILE.html, -o FILE.js or --serve");
   }
@@ -226,7 +227,7 @@ void add_view_command(CLI::App& tool) {
   command.add_option("--port", options->port, "port of --serve on 127.0.0.1; 0: any that is free")
       ->check(CLI::Range(0, 65535));
   options->light.add_to(command);
-  run_with_threads(command, options, run);
+  run_with_threads(command, options, run_view_command);
 }
 
 }  // namespace sh::prt

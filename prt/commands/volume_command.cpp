@@ -6,6 +6,7 @@
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/commands/medium_commands.hpp"
+#include "prt/say.hpp"
 
 namespace sh::prt {
 namespace {
@@ -39,18 +40,17 @@ VolumeOptions volume_options(const VolumeCommand& command) {
 
 void report_volume(const Transfer& volume, const VolumeReport& report) {
   if (report.inside > 0) {
-    fmt::print(
-        stderr,
-        "prt: {} of {} points are inside solids: {} take the numbers of points outside, {} beside no other stay dark\n",
-        report.inside, volume.receivers(), volume.grid->filled, report.inside - volume.grid->filled);
+    say(fmt::format(
+        "{} of {} points are inside solids: {} take the numbers of points outside, {} beside no other stay dark",
+        report.inside, volume.receivers(), volume.grid->filled, report.inside - volume.grid->filled));
   }
   const Eigen::AlignedBox3d& box = volume.grid->box;
-  fmt::print(stderr,
-             "prt: the box is from {:.4g} {:.4g} {:.4g} to {:.4g} {:.4g} {:.4g}; at its sides the object blocks at "
-             "most {:.2g} of the directions, and outside nothing\n",
-             box.min().x(), box.min().y(), box.min().z(), box.max().x(), box.max().y(), box.max().z(), report.border);
-  fmt::print(stderr, "prt: {} rays traced, {:.0f} MiB at the most\n", report.bake.rays,
-             static_cast<double>(peak_memory()) / 1048576.0);
+  say(fmt::format(
+      "the box is from {:.4g} {:.4g} {:.4g} to {:.4g} {:.4g} {:.4g}; at its sides the object blocks at "
+      "most {:.2g} of the directions, and outside nothing",
+      box.min().x(), box.min().y(), box.min().z(), box.max().x(), box.max().y(), box.max().z(), report.border));
+  say(fmt::format("{} rays traced, {:.0f} MiB at the most", report.bake.rays,
+                  static_cast<double>(peak_memory()) / 1048576.0));
 }
 
 void run_volume(const VolumeCommand& command) {
@@ -65,8 +65,7 @@ void run_volume(const VolumeCommand& command) {
   output::require_no_input(command.output, scene.files);
   output::require_no_input(settings.checkpoint.path, scene.files);
   VolumeReport report;
-  const Transfer volume = bake_volume_to_file(command.output, scene, volume_options(command), settings, &report,
-                                              [](const std::string& line) { fmt::print(stderr, "prt: {}\n", line); });
+  const Transfer volume = bake_volume_to_file(command.output, scene, volume_options(command), settings, &report, say);
   report_volume(volume, report);
   report_time(stopwatch, fmt::format("baked {} points, light of degree {}, result of degree {}, {} directions, into {}",
                                      volume.receivers(), volume.degree(), volume.shape.result_degree, volume.directions,

@@ -11,6 +11,7 @@
 #include "prt/image/image.hpp"
 #include "prt/light/light_coefficients.hpp"
 #include "prt/light/light_shapes.hpp"
+#include "prt/say.hpp"
 
 namespace sh::prt {
 namespace {
@@ -18,8 +19,7 @@ namespace {
 /// The sun as a separate light; the environment keeps the rest. Empty if the picture has no sun.
 std::optional<Light> split_sun(Light& environment) {
   SunSearch search = extract_sun(*environment.image, environment.spec.mapping, *environment.spec.extract_sun);
-  fmt::print(stderr, "prt: {}: {}\n", environment.spec.file,
-             search.sun ? describe(*search.sun) : "no sun: " + search.why_none);
+  say(fmt::format("{}: {}", environment.spec.file, search.sun ? describe(*search.sun) : "no sun: " + search.why_none));
   if (!search.sun) return std::nullopt;
   Light sun = environment;
   sun.spec.type = LightType::kCap;

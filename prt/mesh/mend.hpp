@@ -1,10 +1,9 @@
 // Flaws of the input that the program can mend: each prints one line on standard error or, in strict mode, is an error.
 #pragma once
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 
-#include "numeric/output/printable.hpp"
+#include "numeric/output/log.hpp"
 
 namespace sh::prt {
 
@@ -15,7 +14,7 @@ enum class OnFlaw { kMend, kRefuse };
 /// kMend: prints `warning: line` on standard error; kRefuse: throws std::runtime_error(line + why).
 inline void report_flaw(OnFlaw on_flaw, const std::string& line) {
   if (on_flaw == OnFlaw::kRefuse) throw std::runtime_error(line + "; refused because of --strict");
-  std::fputs(("warning: " + output::printable(line) + "\n").c_str(), stderr);
+  output::log_line("warning", "warning: ", line);
 }
 
 }  // namespace sh::prt

@@ -4,25 +4,13 @@
 
 #include "symbolic/number/polynomial.hpp"
 #include "symbolic/proofs/identities.hpp"
+#include "symbolic/proofs/points.hpp"
 
 namespace sh::symbolic {
 namespace {
 
-using Vector = std::array<Polynomial, 3>;
-
-Vector point(int first) {
-  return {Polynomial::variable(first), Polynomial::variable(first + 1), Polynomial::variable(first + 2)};
-}
-
-Polynomial dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-// "l=2 m=-1: ..."
-void require(const BasisFunction& f, bool holds, const char* otherwise) {
-  if (!holds) throw Refuted(f.name() + ": " + otherwise);
 }
 
 // The derivative along an axis of a sum of S_(degree, order), as such a sum of the band below.

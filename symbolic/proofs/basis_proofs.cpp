@@ -1,21 +1,9 @@
 #include "symbolic/number/polynomial.hpp"
 #include "symbolic/proofs/identities.hpp"
+#include "symbolic/proofs/points.hpp"
 
 namespace sh::symbolic {
 namespace {
-
-using Vector = std::array<Polynomial, 3>;
-
-Vector point(int first) {
-  return {Polynomial::variable(first), Polynomial::variable(first + 1), Polynomial::variable(first + 2)};
-}
-
-Polynomial dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-// "l=2 m=-1: ..."
-void require(const BasisFunction& f, bool holds, const char* otherwise) {
-  if (!holds) throw Refuted(f.name() + ": " + otherwise);
-}
 
 void require_factor(const BasisFunction& f, const Surd& k) {
   const Surd sphere_area = Surd(4) * Surd::square_root(1, 2);

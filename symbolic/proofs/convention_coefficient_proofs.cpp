@@ -4,18 +4,11 @@
 #include "symbolic/convention/convention.hpp"
 #include "symbolic/number/polynomial.hpp"
 #include "symbolic/proofs/identities.hpp"
+#include "symbolic/proofs/points.hpp"
 #include "symbolic/typeset/typeset.hpp"
 
 namespace sh::symbolic {
 namespace {
-
-std::array<Polynomial, 3> coordinates(const SignedPermutation& axes) {
-  std::array<Polynomial, 3> result;
-  for (int row = 0; row < 3; ++row) {
-    result[row] = cln::cl_RA(axes.sign(row)) * Polynomial::variable(axes.axis(row));
-  }
-  return result;
-}
 
 // Y'_m = re + i im in our coordinates.
 struct Written {

@@ -1,6 +1,7 @@
 #include "symbolic/convention/convention.hpp"
 #include "symbolic/number/polynomial.hpp"
 #include "symbolic/proofs/identities.hpp"
+#include "symbolic/proofs/points.hpp"
 #include "symbolic/rotation/rotation_recursion.hpp"
 #include "symbolic/typeset/typeset.hpp"
 
@@ -11,14 +12,6 @@ using RadicalMatrix = Matrix<RadicalSum>;
 using HalfAngle = CosSin<cln::cl_RA>;
 
 RadicalMatrix identity(int size) { return RadicalMatrix::identity(size, RadicalSum(cln::cl_RA(1))); }
-
-std::array<Polynomial, 3> coordinates(const SignedPermutation& axes) {
-  std::array<Polynomial, 3> result;
-  for (int row = 0; row < 3; ++row) {
-    result[row] = cln::cl_RA(axes.sign(row)) * Polynomial::variable(axes.axis(row));
-  }
-  return result;
-}
 
 std::vector<Polynomial> homogeneous_band(int degree) {
   std::vector<Polynomial> band;

@@ -1,10 +1,9 @@
 #include "symbolic/number/polynomial.hpp"
 #include "symbolic/proofs/identities.hpp"
+#include "symbolic/proofs/points.hpp"
 
 namespace sh::symbolic {
 namespace {
-
-std::string at_degree(int degree) { return " at degree " + std::to_string(degree); }
 
 // The derivative by the angle: c' = -s, s' = c.
 Polynomial by_angle(const Polynomial& p) {

@@ -2,11 +2,10 @@
 
 #include "symbolic/number/polynomial.hpp"
 #include "symbolic/proofs/identities.hpp"
+#include "symbolic/proofs/points.hpp"
 
 namespace sh::symbolic {
 namespace {
-
-std::string at_degree(int degree) { return " at degree " + std::to_string(degree); }
 
 // integral S(s) (s.n)^k ds / (4 pi), S of degree at most k: the multinomial terms of (s.n)^k, integrated one by one.
 Polynomial mean_against_power(const Polynomial& solid, int k) {

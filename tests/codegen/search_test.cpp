@@ -118,9 +118,9 @@ TEST(Search, FindsSeveralTimesTheErrorOfTestedInputsOfProducts) {
   const Domain& domain = find_family("product").domain;
   for (const int degree : {4, 5}) {
     const Kernel kernel = written("product", degree);
-    const SeenError seen = largest_seen<float>(kernel, domain, {}, 4000);
-    EXPECT_GT(seen.measured.rounding.eps, 2 * measure<float>(kernel, domain).rounding.eps);
-    EXPECT_EQ(seen.measured.worst, largest_seen<float>(kernel, domain, {}, 4000).measured.worst);
+    const MeasuredError seen = largest_seen<float>(kernel, domain, {}, 4000);
+    EXPECT_GT(seen.rounding.eps, 2 * measure<float>(kernel, domain).rounding.eps);
+    EXPECT_EQ(seen.worst, largest_seen<float>(kernel, domain, {}, 4000).worst);
   }
 }
 

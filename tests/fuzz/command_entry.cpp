@@ -218,7 +218,9 @@ constexpr std::array kWords = {"bake",
                                "m.nrrd",
                                "m.transfer",
                                "n.transfer",
-                               "space.json"};
+                               "space.json",
+                               "--log",
+                               "json"};
 static_assert(kWords.size() <= 256);
 
 // The triangles with these corners; assimp reads it without the megabytes that other formats take.

@@ -24,9 +24,9 @@ std::string last_line(const std::string& text) {
   return text.substr(begin == std::string::npos ? 0 : begin + 1, end - begin);
 }
 
-/// Exit 2 with `reason` in the last line of standard error; for failures after progress was shown.
-void expect_failed_late(const Finished& run, const std::string& reason) {
-  EXPECT_EQ(run.status, 2) << run.err;
+/// Says `reason` in the last line of standard error, behind progress, and that another try may succeed.
+void expect_machine_failed(const Finished& run, const std::string& reason) {
+  EXPECT_EQ(run.status, kRetry) << run.err;
   EXPECT_EQ(last_line(run.err).rfind("prt: ", 0), 0U) << run.err;
   EXPECT_NE(last_line(run.err).find(reason), std::string::npos) << run.err;
 }
@@ -132,7 +132,8 @@ TEST_F(Tool, ProjectRefusesBadPictures) {
   expect_refused({"project", folder->file("good.exr"), "--degree", "11"}, "degree 11 is out of range");
   expect_refused({"project", folder->file("good.exr"), "--degree", "-1"}, "degree -1 is out of range");
   expect_refused({"project", folder->file("good.exr"), "--threads", "-2"}, "--threads -2");
-  expect_failed_late(run_prt({"project", folder->file("good.exr")}, {}, "/dev/full"), "standard output: cannot write");
+  expect_machine_failed(run_prt({"project", folder->file("good.exr")}, {}, "/dev/full"),
+                        "standard output: cannot write");
 }
 
 TEST_F(Tool, BakesBouncesAndSaysHowTheyWereSolved) {
@@ -305,18 +306,47 @@ TEST_F(Tool, AFullDiskLeavesTheOldFileOrNone) {
   const std::string limit = "ulimit -f 8";  // blocks of 512 bytes: 4 KiB
   const std::size_t before = folder->entries();
   const std::string out = folder->file("full.transfer");
-  expect_failed_late(
+  expect_machine_failed(
       run_prt({"bake", "demo", "-o", out, "--degree", "1", "--directions", "16", "--no-checkpoint"}, limit),
       "cannot write");
-  expect_failed_late(run_prt({"relight", baked, "-o", folder->file("full.ply")}, limit), "cannot write");
-  expect_failed_late(run_prt({"bake", "demo", "-o", "/dev/full", "--degree", "1", "--directions", "16"}),
-                     "No space left");
+  expect_machine_failed(run_prt({"relight", baked, "-o", folder->file("full.ply")}, limit), "cannot write");
+  expect_machine_failed(run_prt({"bake", "demo", "-o", "/dev/full", "--degree", "1", "--directions", "16"}),
+                        "No space left");
   EXPECT_EQ(folder->entries(), before);
   write_all(out, "old");
-  expect_failed_late(
+  expect_machine_failed(
       run_prt({"bake", "demo", "-o", out, "--degree", "1", "--directions", "16", "--no-checkpoint"}, limit),
       "cannot write");
   EXPECT_EQ(read_all(out), "old");
+}
+
+// What a program reads: every line of standard error is an object with one of four keys.
+TEST_F(Tool, LogsLinesOfJson) {
+  const std::string out = folder->file("logged.transfer");
+  const Finished run = succeeded({"bake", "demo", "-o", out, "--degree", "1", "--directions", "64", "--log", "json"});
+  std::map<std::string, std::vector<nlohmann::json>> lines;
+  std::istringstream text(run.err);
+  for (std::string line; std::getline(text, line);) {
+    const nlohmann::json object = nlohmann::json::parse(line);
+    lines[object.begin().key()].push_back(object);
+  }
+  EXPECT_EQ(lines.size(), 2U) << run.err;
+  ASSERT_FALSE(lines["progress"].empty()) << run.err;
+  const nlohmann::json& last = lines["progress"].back();
+  EXPECT_EQ(last.begin().value(), "bake");
+  EXPECT_GT(last["of"], 100);
+  EXPECT_EQ(last["done"], last["of"]);
+  EXPECT_GE(last["seconds"], 0);
+  ASSERT_FALSE(lines["message"].empty()) << run.err;
+  EXPECT_EQ(std::string(lines["message"].back()["message"]).rfind("baked ", 0), 0U) << run.err;
+  // An error, with a name that is no UTF-8 and one that would break the line.
+  for (const std::string name : {"\xff", "a\nb\"\\"}) {
+    const Finished refused = run_prt({"info", folder->file(name), "--log", "json"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_TRUE(nlohmann::json::parse(refused.err)["error"].is_string()) << refused.err;
+  }
+  expect_refused({"info", baked, "--log", "xml"}, "--log");
 }
 
 // At once: counting ahead and splitting look at the signal, too.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -50,8 +51,8 @@ class Shards : public testing::Test {
     succeeded(bake(options, folder_.file("single")));
     return read_all(folder_.file("single"));
   }
-  void expect_no_merge(const Arguments& files, const std::string& reason) {
-    expect_refused(joined(joined({"merge"}, files), {"-o", out_}), reason);
+  void expect_no_merge(const Arguments& files, const std::string& reason, int status = 2) {
+    expect_refused(joined(joined({"merge"}, files), {"-o", out_}), reason, {}, status);
     EXPECT_FALSE(std::filesystem::exists(out_));
   }
   TemporaryFolder folder_;
@@ -150,6 +151,14 @@ TEST_F(Shards, OfDifferentBakesAreRefused) {
   expect_no_merge(files, "part of another bake: its vertices is");
 }
 
+TEST_F(Shards, DoNotDependOnTheirLog) {
+  const Arguments options = {"--kind", "shadowed"};
+  const Arguments files = parts(2, options);
+  std::filesystem::remove(files[1]);
+  succeeded(bake(joined(options, {"--shard", "2/2", "--log", "json"}), files[1]));
+  EXPECT_TRUE(merged(files, {"--log", "json"}) == single(options));
+}
+
 TEST_F(Shards, OfNoBakeAreRefused) {
   const Arguments files = parts(2, {"--kind", "shadowed"});
   write_all(folder_.file("text"), "no part at all");
@@ -172,8 +181,8 @@ TEST_F(Shards, InUseAreRefused) {
   const Arguments files = parts(2, {"--kind", "shadowed"});
   const int descriptor = open(files[0].c_str(), O_RDWR | O_CLOEXEC);
   ASSERT_EQ(flock(descriptor, LOCK_EX), 0);
-  expect_no_merge(files, "in use by another bake; wait for it");
-  expect_refused(bake({"--kind", "shadowed", "--shard", "1/2"}, files[0]), "in use by another bake");
+  expect_no_merge(files, "in use by another bake; wait for it", kRetry);
+  expect_refused(bake({"--kind", "shadowed", "--shard", "1/2"}, files[0]), "in use by another bake", {}, kRetry);
   close(descriptor);
 }
 
@@ -256,6 +265,26 @@ TEST_F(Shards, AreTheCommandsThatAreTold) {
   write_all(folder_.file("job.py"), opencue);
   const Finished python = run_shell("python3 -m py_compile '" + folder_.file("job.py") + "'", folder_.file("."));
   EXPECT_EQ(python.status, 0) << python.out;
+  // A shard whose machine fails asks for another one, three times.
+  for (const char* restarts : {"0", "2", "3"}) {
+    const Finished failed = run_shell(
+        std::string("set +e\nprt() { return 75; }\nscontrol() { echo \"$@\"; }\nexport SLURM_ARRAY_TASK_ID=2 ") +
+            "SLURM_ARRAY_JOB_ID=17 SLURM_RESTART_COUNT=" + restarts + "\n" + slurm,
+        folder_.file("."));
+    EXPECT_NE(failed.status, 0);
+    EXPECT_EQ(failed.out, *restarts == '3' ? "" : "requeue 17_2\n");
+  }
+  const Finished priced = succeeded(joined(
+      {"shards", file_, "--degree", "2", "--directions", "4096", "-n", "3", "--price", "3600", "-o", named}, options));
+  EXPECT_EQ(priced.out.find("--price"), std::string::npos);
+  double hours = 0.0;
+  double cost = 0.0;
+  const std::size_t all = priced.err.find("all of them");
+  ASSERT_NE(all, std::string::npos) << priced.err;
+  ASSERT_EQ(std::sscanf(priced.err.c_str() + all, "all of them and the merge: %lg hours, %lg at", &hours, &cost), 2);
+  EXPECT_GT(hours, 0.0);
+  EXPECT_NEAR(cost, 3600.0 * hours, 0.01 * cost);
+  expect_refused({"shards", file_, "-n", "2", "-o", named, "--price", "-1"}, "--price");
   expect_refused({"shards", file_, "-n", "1", "-o", named}, "--count 1: expected 2 to");
   expect_refused({"shards", file_, "-n", "2", "-o", named, "--kind", "unshadowed"}, "traces no rays");
 }

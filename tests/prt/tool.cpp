@@ -68,9 +68,9 @@ Finished succeeded(const Arguments& arguments) {
 
 nlohmann::json printed(const Arguments& arguments) { return nlohmann::json::parse(succeeded(arguments).out); }
 
-void expect_refused(const Arguments& arguments, const std::string& reason, const std::string& before) {
+void expect_refused(const Arguments& arguments, const std::string& reason, const std::string& before, int status) {
   const Finished run = run_prt(arguments, before);
-  EXPECT_EQ(run.status, 2) << run.err;
+  EXPECT_EQ(run.status, status) << run.err;
   EXPECT_EQ(run.err.rfind("prt: ", 0), 0U) << run.err;
   EXPECT_NE(run.err.find(reason), std::string::npos) << run.err;
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;

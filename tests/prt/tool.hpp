@@ -27,9 +27,13 @@ Finished succeeded(const Arguments& arguments);
 /// The JSON that the tool prints; expects exit 0.
 nlohmann::json printed(const Arguments& arguments);
 
-/// Expects exit 2, one line on standard error that begins with `prt: ` and contains `reason`, and nothing on standard
+/// The exit code where the machine failed: the same command may succeed later.
+inline constexpr int kRetry = 75;
+
+/// Expects exit 2 (or another), one line on standard error that begins with `prt: ` and contains `reason`, and nothing on standard
 /// output; `before` as for run_prt.
-void expect_refused(const Arguments& arguments, const std::string& reason, const std::string& before = {});
+void expect_refused(const Arguments& arguments, const std::string& reason, const std::string& before = {},
+                    int status = 2);
 
 /// Runs the tool and sends SIGINT after `milliseconds`.
 Finished interrupt_prt(const Arguments& arguments, int milliseconds);

@@ -188,4 +188,8 @@ ExactReal cosine(int numerator, int denominator) {
 
 ExactReal sine(int numerator, int denominator) { return cosine(numerator - denominator / 4, denominator); }
 
+ExactReal pi_times(int numerator, int denominator) {
+  return multiply(symbolic::Surd(cln::cl_RA(numerator) / denominator), symbolic::Surd::square_root(1, 2));
+}
+
 }  // namespace sh::codegen::recipes

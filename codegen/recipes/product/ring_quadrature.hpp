@@ -50,5 +50,7 @@ inline double approximate(const ExactReal& value) { return std::abs(cln::double_
 ExactReal cosine(int numerator, int denominator);
 /// sin(2 pi numerator / denominator); the denominator has to be a multiple of 4.
 ExactReal sine(int numerator, int denominator);
+/// pi numerator / denominator
+ExactReal pi_times(int numerator, int denominator);
 
 }  // namespace sh::codegen::recipes

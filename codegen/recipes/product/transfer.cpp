@@ -34,10 +34,6 @@ std::string citation(const char* equation, int degree) {
          RingQuadrature({degree, true, false}).definition();
 }
 
-ExactReal pi_times(int numerator, int denominator) {
-  return multiply(Surd(cln::cl_RA(numerator) / denominator), Surd::square_root(1, 2));
-}
-
 class Transfer {
  public:
   // looped: a loop runs over the pairs of rings.

@@ -7,10 +7,6 @@ ExactReal product(const ExactReal& a, const ExactReal& b) {
   return is_zero(a) || is_zero(b) ? ExactReal(symbolic::Surd()) : multiply(a, b);
 }
 
-ExactReal pi_times(int numerator, int denominator) {
-  return multiply(symbolic::Surd(cln::cl_RA(numerator) / denominator), symbolic::Surd::square_root(1, 2));
-}
-
 }  // namespace
 
 // m phi_j = 2 pi m (2j + 1) / 8n
