@@ -324,15 +324,15 @@ TEST_F(Tool, AFullDiskLeavesTheOldFileOrNone) {
 TEST_F(Tool, LogsLinesOfJson) {
   const std::string out = folder->file("logged.transfer");
   const Finished run = succeeded({"bake", "demo", "-o", out, "--degree", "1", "--directions", "64", "--log", "json"});
-  std::map<std::string, std::vector<nlohmann::json>> lines;
+  std::map<std::string, std::vector<nlohmann::ordered_json>> lines;
   std::istringstream text(run.err);
   for (std::string line; std::getline(text, line);) {
-    const nlohmann::json object = nlohmann::json::parse(line);
+    const nlohmann::ordered_json object = nlohmann::ordered_json::parse(line);
     lines[object.begin().key()].push_back(object);
   }
   EXPECT_EQ(lines.size(), 2U) << run.err;
   ASSERT_FALSE(lines["progress"].empty()) << run.err;
-  const nlohmann::json& last = lines["progress"].back();
+  const nlohmann::ordered_json& last = lines["progress"].back();
   EXPECT_EQ(last.begin().value(), "bake");
   EXPECT_GT(last["of"], 100);
   EXPECT_EQ(last["done"], last["of"]);
@@ -344,7 +344,7 @@ TEST_F(Tool, LogsLinesOfJson) {
     const Finished refused = run_prt({"info", folder->file(name), "--log", "json"});
     EXPECT_EQ(refused.status, 2);
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
-    EXPECT_TRUE(nlohmann::json::parse(refused.err)["error"].is_string()) << refused.err;
+    EXPECT_TRUE(nlohmann::ordered_json::parse(refused.err)["error"].is_string()) << refused.err;
   }
   expect_refused({"info", baked, "--log", "xml"}, "--log");
 }

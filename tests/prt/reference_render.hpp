@@ -19,13 +19,13 @@
 namespace sh::prt {
 
 /// Directions of equal weight, and the light towards them.
-struct LightSamples {
+struct SampledDirections {
   std::vector<Eigen::Vector3f> directions;
   std::vector<Eigen::Vector3f> radiance;
 };
 
-inline LightSamples sample_light(const LightCoefficients& light, int count) {
-  LightSamples samples{make_directions(Sampler::kFibonacci, count), {}};
+inline SampledDirections sample_light(const LightCoefficients& light, int count) {
+  SampledDirections samples{make_directions(Sampler::kFibonacci, count), {}};
   for (const Eigen::Vector3f& s : samples.directions) {
     samples.radiance.emplace_back(radiance(light, s.cast<double>().normalized()).cast<float>());
   }
@@ -33,8 +33,8 @@ inline LightSamples sample_light(const LightCoefficients& light, int count) {
 }
 
 /// Exit radiance at a hit, from the directions above both horizons that reach the sky, weighted by the cosine.
-inline Eigen::Vector3f exit_radiance(const Mesh& mesh, const Hit& hit, const Tracer& tracer, const LightSamples& light,
-                                     float offset) {
+inline Eigen::Vector3f exit_radiance(const Mesh& mesh, const Hit& hit, const Tracer& tracer,
+                                     const SampledDirections& light, float offset) {
   const Eigen::Vector3f normal = interpolated(hit, mesh, mesh.normals).normalized();
   const Eigen::Vector3f geometric_normal = face_normal(mesh.positions, mesh.faces[hit.face]);
   const Eigen::Vector3f origin = interpolated(hit, mesh, mesh.positions) + offset * geometric_normal;
@@ -67,7 +67,7 @@ inline Picture reference_render(const Mesh& mesh, const Tracer& tracer, const Li
   if (!mesh.mirror.empty()) {
     throw std::invalid_argument("reference_render does not follow mirrors; a mesh without is needed");
   }
-  const LightSamples samples = sample_light(light, directions);
+  const SampledDirections samples = sample_light(light, directions);
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& p : mesh.positions) box.extend(p);
   const float offset = 1e-4F * box.diagonal().norm();  // keeps a shadow ray off the face it starts from
