@@ -111,7 +111,7 @@ class CheckpointParts : public testing::Test {
 TEST_F(CheckpointParts, GiveBackEveryResultOfTheirVerticesAndNoOther) {
   write({2, 1});
   Results found;
-  EXPECT_EQ(read(found, records()), "going on from " + path_ + ": 2 of 3 parts\n");
+  EXPECT_EQ(read(found, records()), "prt: going on from " + path_ + ": 2 of 3 parts\n");
   EXPECT_EQ(has_, (std::array{false, true, true}));
   const Results none;
   for (std::size_t v = 0; v < kVertices; ++v)
@@ -175,7 +175,7 @@ TEST_F(CheckpointParts, CountOnceAndOnlyWhereTheirChunkIs) {
   write({0});
   Records all = records();
   Results found;
-  EXPECT_EQ(read(found, {all[0], all[0]}), "going on from " + path_ + ": 1 of 3 parts\n");
+  EXPECT_EQ(read(found, {all[0], all[0]}), "prt: going on from " + path_ + ": 1 of 3 parts\n");
   EXPECT_EQ(read(found, {{3, all[0].second}, {~0U, all[0].second}}), "");
   EXPECT_EQ(has_, (std::array{false, false, false}));
 }
