@@ -166,6 +166,11 @@ MeasuredError measure(const Kernel& kernel, const Domain& domain) {
   return error;
 }
 
+template void measure_more<float>(MeasuredError&, const Kernel&, const Domain&,
+                                  const std::vector<std::vector<double>>&);
+template void measure_more<double>(MeasuredError&, const Kernel&, const Domain&,
+                                   const std::vector<std::vector<double>>&);
+template void measure_more<Half>(MeasuredError&, const Kernel&, const Domain&, const std::vector<std::vector<double>>&);
 template MeasuredError measure<float>(const Kernel&, const Domain&);
 template MeasuredError measure<double>(const Kernel&, const Domain&);
 template MeasuredError measure<Half>(const Kernel&, const Domain&);

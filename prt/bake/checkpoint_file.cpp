@@ -106,8 +106,9 @@ CheckpointFile CheckpointFile::of_any_bake(std::string path) {
   struct stat status = {};
   fstat(file.descriptor_, &status);
   if (!S_ISREG(status.st_mode)) file.fail(kNone);
-  if (flock(file.descriptor_, LOCK_SH | LOCK_NB) != 0)
+  if (flock(file.descriptor_, LOCK_SH | LOCK_NB) != 0) {
     throw output::MachineError(file.path_ + ": in use by another bake; wait for it");
+  }
   file.size_ = static_cast<std::uint64_t>(status.st_size);
   Prologue prologue;
   const std::string start = file.fetch(0, std::min<std::uint64_t>(file.size_, sizeof prologue));

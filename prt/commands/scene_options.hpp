@@ -30,7 +30,8 @@ struct SceneOptions {
   void apply_to(Scene& loaded) const;
 };
 
-/// The words of a command line that gives the options of a command, but for those left out; the first word is its name.
+/// The words of a command line that gives the options of a command, but for those left out and
+/// `--log`; the first word is its name.
 std::vector<std::string> words_without(const CLI::App& command, std::vector<std::string> left_out);
 
 }  // namespace sh::prt

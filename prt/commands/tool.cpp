@@ -87,7 +87,8 @@ void add_log_option(CLI::App& tool) {
             },
             "text or json: progress and messages on standard error as lines for people, or as one JSON object a line")
         ->check(CLI::IsMember({"text", "json"}))
-        ->default_str("text");
+        ->default_str("text")
+        ->trigger_on_parse();  // so that errors of other options are in this format, too
   }
 }
 

@@ -346,6 +346,14 @@ TEST_F(Tool, LogsLinesOfJson) {
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
     EXPECT_TRUE(nlohmann::ordered_json::parse(refused.err)["error"].is_string()) << refused.err;
   }
+  // Errors that the parser of the command line finds, whatever the order.
+  for (const Arguments& wrong : {Arguments{"bake", "demo", "--degree", "x", "--log", "json"},
+                                 {"bake", "demo", "--log", "json", "--no-such"},
+                                 {"bake", "--log", "json"}}) {
+    const Finished refused = run_prt(wrong);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_TRUE(nlohmann::ordered_json::parse(refused.err)["error"].is_string()) << refused.err;
+  }
   expect_refused({"info", baked, "--log", "xml"}, "--log");
 }
 

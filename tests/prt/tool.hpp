@@ -30,8 +30,8 @@ nlohmann::json printed(const Arguments& arguments);
 /// The exit code where the machine failed: the same command may succeed later.
 inline constexpr int kRetry = 75;
 
-/// Expects exit 2 (or another), one line on standard error that begins with `prt: ` and contains `reason`, and nothing on standard
-/// output; `before` as for run_prt.
+/// Expects exit 2 (or another), one line on standard error that begins with `prt: ` and contains `reason`, and nothing
+/// on standard output; `before` as for run_prt.
 void expect_refused(const Arguments& arguments, const std::string& reason, const std::string& before = {},
                     int status = 2);
 
