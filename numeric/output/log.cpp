@@ -26,6 +26,7 @@ void set_log_format(LogFormat format) { format_now = format; }
 LogFormat log_format() { return format_now; }
 
 void log_line(std::string_view kind, std::string_view prefix, std::string_view text) {
+  if (log_format() == LogFormat::kNone) return;
   const std::string line =
       log_format() == LogFormat::kJson ? line_of({{kind, text}}) : fmt::format("{}{}\n", prefix, printable(text));
   std::fputs(line.c_str(), stderr);

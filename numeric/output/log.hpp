@@ -5,7 +5,8 @@
 
 namespace sh::output {
 
-enum class LogFormat { kText, kJson };
+/// kNone: nothing, of a process for which another one speaks.
+enum class LogFormat { kText, kJson, kNone };
 
 /// For the whole process; text unless it is called.
 void set_log_format(LogFormat format);

@@ -64,6 +64,7 @@ double Progress::seconds() const {
 }
 
 void Progress::draw(std::size_t done) {
+  if (log_format() == LogFormat::kNone) return;
   if (log_format() == LogFormat::kJson) return log_progress(what_, done, total_, seconds());
   const std::size_t percent = total_ == 0 ? 100 : std::min<std::size_t>(100, done * 100 / total_);
   if (terminal_) {
@@ -78,6 +79,7 @@ void Progress::draw(std::size_t done) {
 
 void Progress::finish() {
   const std::lock_guard lock(drawing_);
+  if (log_format() == LogFormat::kNone) return;
   if (log_format() == LogFormat::kJson) return log_progress(what_, total_, total_, seconds());
   fmt::print(stderr, "{}{}: done in {:.1f} s{}\n", terminal_ ? "\r" : "", what_, seconds(),
              terminal_ ? std::string(kBarWidth, ' ') : "");

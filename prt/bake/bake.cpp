@@ -16,6 +16,7 @@
 #include "prt/bake/steps.hpp"
 #include "prt/chunks.hpp"
 #include "prt/plan/measure.hpp"
+#include "prt/plan/plan_file.hpp"
 #include "prt/transfer/kept_bands.hpp"
 #include "prt/transfer/storage.hpp"
 #include "prt/transfer/transfer_file.hpp"
@@ -99,6 +100,7 @@ void check(const BakeJob& job) {
 }
 
 Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan& plan, BakeReport& report) {
+  if (!settings.ranks.is_first() && !scene.bake.kind->has_form_factors()) return {};
   BakeRun run(scene, settings, plan.open);
   try {
     for (const BakeStep& step : scene.bake.kind->steps) {
@@ -247,12 +249,13 @@ BakeJob::BakeJob(Scene the_scene, BakeSettings the_settings)
 }
 
 BakeJob planned(BakeJob job) {
+  if (!job.settings.plan_file.empty()) job.plan = read_plan(job.settings.plan_file, job.scene);
   check(job);
   on_threads(job.settings.threads, [&] {
     if (job.scene.bake.fit_lobes && job.scene.bake.kind->is_glossy()) {
       job.fits = fit_lobes(job.scene.mesh, job.scene.bake.degree);
     }
-    job.plan = make_plan(job.scene, job.settings.instruction_set);
+    if (!job.plan) job.plan = make_plan(job.scene, job.settings.instruction_set);
   });
   return job;
 }
@@ -276,6 +279,7 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
   });
   if (report != nullptr) *report = measured;
   if (!job.settings.checkpoint.shard.is_whole()) return {};  // the checkpoint is the result
+  if (!job.settings.ranks.is_first()) return {};
   take_plan(*job.plan, transfer);
   if (wanted.kind->stores_visibility()) keep_bands(wanted.keep, transfer);
   if (wanted.compress.clusters > 0 || !job.plan->clusters.empty()) {
@@ -313,7 +317,9 @@ void bake_shard(BakeJob job, BakeReport* report, const BakeObserver& say) {
 
 Transfer bake_to_file(const std::string& file, BakeJob job, BakeReport* report, const BakeObserver& say) {
   BakeReport measured;
+  const bool is_first = job.settings.ranks.is_first();
   Transfer transfer = bake(std::move(job), &measured, say);
+  if (!is_first) return {};
   write_transfer(file, transfer);
   if (!measured.checkpoint.empty()) std::filesystem::remove(measured.checkpoint);
   if (report != nullptr) *report = measured;

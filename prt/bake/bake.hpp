@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "numeric/output/stopwatch.hpp"
+#include "prt/bake/ranks.hpp"
 #include "prt/mesh/fit_lobes.hpp"
 #include "prt/mesh/mend.hpp"
 #include "prt/plan/plan.hpp"
@@ -49,6 +50,8 @@ struct BakeSettings {
   OnFlaw on_flaw = OnFlaw::kMend;
   std::size_t bounce_memory = SIZE_MAX;  // bytes for form factors; the rest is traced again for each bounce
   CheckpointSettings checkpoint = {};    // unused with colored mirrors
+  Ranks ranks = {};                      // that solve the bounces of diffuse surfaces; only the first has a result
+  std::string plan_file = {};            // a plan (prt/plan/plan_file.hpp) to follow in place of making one
 };
 
 /// The time limit of a bake; it starts when the job is described.
@@ -79,8 +82,8 @@ struct BakeReport {
 /// budget makes.
 using BakeObserver = std::function<void(const std::string& line)>;
 
-/// Returns the job with its plan, lobes in place of BRDFs if it asks for them; throws like make_plan(), and
-/// std::invalid_argument for options out of range.
+/// Returns the job with its plan, lobes in place of BRDFs if it asks for them; throws like make_plan() or read_plan(),
+/// and std::invalid_argument for options out of range.
 BakeJob planned(BakeJob job);
 
 /// Shows progress. Vertices that no ray can leave take their neighbors' values and are reported as a flaw. If a number

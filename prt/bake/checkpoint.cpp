@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "numeric/output/parse_json.hpp"
+#include "prt/mesh/mesh_checksum.hpp"
 #include "prt/say.hpp"
 #include "prt/transfer/checksum.hpp"
 
@@ -63,17 +64,6 @@ bool take_row(std::string_view& data, std::size_t vertices, FormFactorRow& row, 
 template <class T>
 std::uint64_t checksum_of(const std::vector<T>& values) {
   return checksum(values.data(), values.size() * sizeof(T));
-}
-
-// A new member of Mesh does not compile here until somebody decides whether rays depend on it.
-std::string mesh_checksum(const Mesh& mesh) {
-  [[maybe_unused]] const auto& [positions, normals, geometric_normals, albedo, emission, mirror, specular, exponent,
-                                brdf, texture, normal_map, albedo_map, tint, chart, atlas, faces, remap, brdfs,
-                                normal_maps, albedo_maps, atlases, frame] = mesh;
-  const std::array<std::uint64_t, 6> parts = {
-      checksum_of(positions), checksum_of(normals), checksum_of(geometric_normals),
-      checksum_of(mirror),    checksum_of(faces),   checksum_of(atlases.reach)};
-  return fmt::format("{:016x}", checksum(parts.data(), sizeof parts));
 }
 
 std::string encode_chunk(const ShadowResult& result, const VertexRange& range) {
@@ -188,10 +178,10 @@ ShardRecord shard_of_part(const std::string& file) {
 std::string bake_key(const Scene& scene, const std::string& instruction_set, const std::vector<std::uint8_t>& open,
                      const std::string& points) {
   [[maybe_unused]] const auto& [degree, directions, sampler, seed, kind, bounces, keep, compress, by_plan, fit_lobes] =
-      scene.bake;  // as above
+      scene.bake;  // a new one does not compile here until somebody decides, too
   nlohmann::ordered_json key = {{"vertices", scene.mesh.positions.size()},
                                 {"faces", scene.mesh.faces.size()},
-                                {"mesh", mesh_checksum(scene.mesh)},
+                                {"mesh", checksums_of(scene.mesh).rays},
                                 {"open_vertices", std::count(open.begin(), open.end(), 1)},
                                 {"open", fmt::format("{:016x}", checksum_of(open))},
                                 {"transfer", kind->word},

@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range.h>
 
+#include <algorithm>
 #include <atomic>
 #include <utility>
 
@@ -46,6 +47,7 @@ FormFactors::FormFactors(std::size_t vertices, std::size_t most_bytes, std::func
     : rows_(vertices), kept_(vertices, 0), most_bytes_(most_bytes), make_maker_(std::move(make_maker)) {}
 
 void FormFactors::keep(std::size_t vertex, FormFactorRow row) {
+  if (!ranks_.owns(vertex)) return;
   const std::size_t bytes = row.size() * sizeof(FormFactor);
   const std::atomic_ref<std::size_t> spent(bytes_);
   if (make_maker_ && spent.fetch_add(bytes) + bytes > most_bytes_) {
@@ -62,15 +64,25 @@ double FormFactors::rounding() const {
   return 0x1p-53 * static_cast<double>(rows_.size() + 1) * (1.0 + fill_.condition());
 }
 
+// Each process tells its rows to all others.
+void FormFactors::exchange(Panel& y) const {
+  for (std::size_t first = 0; first < y.rows; first += Ranks::kRowsAtOnce) {
+    const std::size_t last = std::min(y.rows, first + Ranks::kRowsAtOnce);
+    ranks_.broadcast(y.row(first), (last - first) * y.columns, ranks_.owner(first));
+  }
+}
+
 void FormFactors::apply(const Panel& x, Panel& y) const {
   in_parallel(tbb::blocked_range<std::size_t>(0, rows_.size(), kVerticesPerTask), [&](const auto& part) {
     output::check_interrupt();
     RowMaker make;
     for (std::size_t v = part.begin(); v < part.end(); ++v) {
+      if (!ranks_.owns(v)) continue;
       if (kept_[v] == 0 && !make) make = make_maker_();
       sum_row(kept_[v] != 0 ? rows_[v] : make(v), x.values.data(), x.columns, y.row(v));
     }
   });
+  if (ranks_.count > 1) exchange(y);
   fill_.apply(y.values.data(), y.columns, y.columns);
 }
 

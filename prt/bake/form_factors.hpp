@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "prt/bake/fill_closed.hpp"
+#include "prt/bake/ranks.hpp"
 
 namespace sh::prt {
 
@@ -54,6 +55,8 @@ class FormFactors {
   explicit FormFactors(std::size_t vertices, std::size_t most_bytes = SIZE_MAX,
                        std::function<RowMaker()> make_maker = {});
 
+  /// From now on each process keeps and multiplies its own rows only; all of them call apply() together.
+  void share_among(Ranks ranks) { ranks_ = std::move(ranks); }
   /// Keeps a row, or drops it if no memory is left; this changes times but no result. Any thread may call it, at the
   /// same time for different vertices.
   void keep(std::size_t vertex, FormFactorRow row);
@@ -77,7 +80,10 @@ class FormFactors {
   std::size_t most_bytes_;
   std::size_t bytes_ = 0;  // atomic access while rows are kept
   std::function<RowMaker()> make_maker_;
+  Ranks ranks_;
   Fill fill_;
+
+  void exchange(Panel& y) const;
 };
 
 }  // namespace sh::prt

@@ -36,6 +36,7 @@ void begin_tracing(BakeRun& run) {
   const std::size_t vertices = scene.mesh.positions.size();
   if (scene.bake.kind->has_form_factors()) {
     run.factors.emplace(vertices, run.settings.bounce_memory, [rays = &*run.rays] { return make_row_maker(*rays); });
+    run.factors->share_among(run.settings.ranks);
   }
   run.found.emplace(ShadowResult{transfer, std::vector<Sight>(vertices), run.factors ? &*run.factors : nullptr});
   run.checkpoint.emplace(run.settings.checkpoint, bake_key(scene, transfer.instruction_set, run.open), *run.found);
@@ -164,6 +165,7 @@ void add_bounces(BakeRun& run) {
   const BounceLayout layout{transfer.shape.count() + emitted, emitted};
   Panel x = direct_light(scene.mesh, transfer, layout);
   transfer.bounces = solve_bounces(*run.factors, scene.mesh.albedo, layout, x, scene.bake.bounces);
+  if (!run.settings.ranks.is_first()) return;
   check_bounces(run);
   if (!is_late(scene.bake.bounces)) {
     const BetweenVertices between = measure_between_vertices(scene, transfer.instruction_set, x, layout);

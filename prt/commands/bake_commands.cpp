@@ -12,8 +12,10 @@
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/commands/medium_commands.hpp"
+#include "prt/commands/mpi_ranks.hpp"
 #include "prt/commands/scene_options.hpp"
-#include "prt/plan/plan.hpp"
+#include "prt/mesh/mesh_checksum.hpp"
+#include "prt/plan/plan_file.hpp"
 #include "prt/runtime/fixed_view.hpp"
 #include "prt/runtime/glossy.hpp"
 #include "prt/say.hpp"
@@ -34,9 +36,11 @@ struct BakeCommand : SceneOptions {
   std::string shard;                 // I/N; empty: the whole bake
   std::vector<std::string> parts;    // of all shards
   std::vector<std::string> command;  // the words of a command line that bakes the whole, without -o
+  Ranks ranks;
 };
 
 struct PlanCommand : SceneOptions {
+  std::string output;  // empty: none
   bool json = false;
 };
 
@@ -160,27 +164,20 @@ void require_vectors(const BakeCommand& options, const Scene& scene) {
 }
 
 void require_medium_options(const BakeCommand& options, const std::string& name) {
-  const std::pair<bool, const char*> given[] = {{!options.kind.empty(), "--kind"},
-                                                {!options.sampler.empty(), "--sampler"},
-                                                {options.seed.has_value(), "--seed"},
-                                                {!options.compress.empty(), "--compress"},
-                                                {options.compress_auto, "--compress-auto"},
-                                                {options.fit_lobes, "--fit-lobes"},
-                                                {!options.plan.empty(), "--plan"},
-                                                {options.error.has_value(), "--error"},
-                                                {!options.turns.empty(), "--light-turns"},
-                                                {!options.without.empty(), "--without"},
-                                                {!options.vectors.empty(), "--vectors"},
-                                                {!options.instruction_set.empty(), "--instruction-set"},
-                                                {!options.checkpoint.file.empty(), "--checkpoint"},
-                                                {options.checkpoint.restart, "--restart"},
-                                                {!options.shard.empty(), "--shard"},
-                                                {options.budget_seconds.has_value(), "--budget-seconds"}};
-  for (const auto& [is_given, option] : given) {
-    if (is_given) {
-      throw std::invalid_argument(fmt::format(
-          "{}: {}: is for meshes; for a medium expected --degree, --directions or --bounce-memory", name, option));
-    }
+  std::vector<std::string> given = options.given();
+  const std::pair<bool, const char*> own[] = {{!options.vectors.empty(), "--vectors"},
+                                              {!options.instruction_set.empty(), "--instruction-set"},
+                                              {!options.checkpoint.file.empty(), "--checkpoint"},
+                                              {options.checkpoint.restart, "--restart"},
+                                              {!options.shard.empty(), "--shard"},
+                                              {options.budget_seconds.has_value(), "--budget-seconds"}};
+  for (const auto& [is_given, option] : own) {
+    if (is_given) given.emplace_back(option);
+  }
+  for (const std::string& option : given) {
+    if (option == "--degree" || option == "--directions") continue;
+    throw std::invalid_argument(fmt::format(
+        "{}: {}: is for meshes; for a medium expected --degree, --directions or --bounce-memory", name, option));
   }
 }
 
@@ -207,13 +204,17 @@ void run_bake(const BakeCommand& options) {
                               .instruction_set = options.instruction_set,
                               .on_flaw = on_flaw(options.strict),
                               .bounce_memory = options.bounce_memory << 20U,
-                              .checkpoint = checkpoint_of(options)};
+                              .checkpoint = checkpoint_of(options),
+                              .ranks = options.ranks,
+                              .plan_file = options.plan_file()};
   Scene scene = load_scene(options.scene, settings.on_flaw);
   output::require_no_input(options.output, scene.files);
+  output::require_no_input(options.output, {settings.plan_file});
   output::require_no_input(options.output, options.parts);
   if (scene.medium) return run_medium_bake(options, std::move(scene));
   BakeJob job(std::move(scene), settings);
   output::require_no_input(settings.checkpoint.path, job.scene.files);
+  output::require_no_input(settings.checkpoint.path, {settings.plan_file});
   options.apply_to(job.scene);
   require_vectors(options, job.scene);
   if (options.only_estimate) return print_estimate(planned(std::move(job)));
@@ -221,6 +222,7 @@ void run_bake(const BakeCommand& options) {
   BakeReport report;
   if (!options.shard.empty()) return run_shard(options, std::move(job), stopwatch);
   const Transfer transfer = bake_to_file(options.output, std::move(job), &report, say);
+  if (!options.ranks.is_first()) return;
   report_bake(transfer, report);
   if (!options.vectors.empty()) write_transfer(options.vectors, diffuse_vectors(transfer));
   report_time(stopwatch, fmt::format("baked {} vertices, {} faces, degree {}, {} directions, into {}",
@@ -230,18 +232,25 @@ void run_bake(const BakeCommand& options) {
 
 void run_plan(const PlanCommand& options) {
   const Stopwatch stopwatch;
+  if (!options.output.empty()) require_output(options.output);
   Scene scene = load_scene(options.scene, OnFlaw::kMend);
   require_meshes(scene, "a plan");
-  options.apply_to(scene);
-  if (options.plan.empty()) scene.plan.mode = PlanMode::kLossy;
-  const BakeJob job = planned({std::move(scene), {.threads = options.threads}});
+  output::require_no_input(options.output, scene.files);
+  BakeJob job(std::move(scene), {.threads = options.threads, .plan_file = options.plan_file()});
+  options.apply_to(job.scene);
+  if (options.plan.empty()) job.scene.plan.mode = PlanMode::kLossy;
+  const std::string mesh = checksums_of(job.scene.mesh).whole;
+  job = planned(std::move(job));
   for (const FittedBrdf& fitted : job.fits) say(described(fitted));
   print_out(options.json ? plan_json(*job.plan, job.scene) + "\n" : plan_text(*job.plan, job.scene));
-  report_time(stopwatch, "planned");
+  if (!options.output.empty()) write_plan(options.output, *job.plan, job.scene, mesh);
+  report_time(stopwatch, options.output.empty() ? "planned" : fmt::format("planned, into {}", options.output));
 }
 
+void add_bake_to(CLI::App& tool, const Ranks& ranks);
+
 // Bakes with the options that the parts name.
-void run_merge(const MergeCommand& options) {
+void merge(const MergeCommand& options, const Ranks& ranks) {
   require_output(options.output);
   const std::vector<std::string> words = shard_of_part(options.parts.front()).command;
   const auto is_ours = [](const std::string& word) {
@@ -260,23 +269,17 @@ void run_merge(const MergeCommand& options) {
   for (const std::string& part : options.parts) line.insert(line.begin(), part);
   CLI::App tool;
   tool.option_defaults()->always_capture_default();
-  add_bake_command(tool);
+  add_bake_to(tool, ranks);
   tool.parse(std::move(line));
 }
 
-}  // namespace
-
-void add_merge_command(CLI::App& tool) {
-  auto options = std::make_shared<MergeCommand>();
-  CLI::App& command =
-      *tool.add_subcommand("merge", "make the transfer file of a bake from the parts that `prt bake --shard` made");
-  command.add_option("PARTS", options->parts, "the parts of all shards, in any order")->required();
-  command.add_option("-o,--output", options->output, "transfer file to write")->required();
-  run_with_threads<MergeCommand>(command, options, run_merge, "; the file does not depend on it");
+void run_merge(const MergeCommand& options) {
+  run_as_ranks([&](const Ranks& ranks) { merge(options, ranks); });
 }
 
-void add_bake_command(CLI::App& tool) {
+void add_bake_to(CLI::App& tool, const Ranks& ranks) {
   auto options = std::make_shared<BakeCommand>();
+  options->ranks = ranks;
   CLI::App& command = *tool.add_subcommand("bake", "compute the transfer vectors of a scene");
   options->add_to(command);
   command.add_option("-o,--output", options->output, "transfer file to write");
@@ -317,10 +320,25 @@ void add_bake_command(CLI::App& tool) {
   });
 }
 
+}  // namespace
+
+void add_merge_command(CLI::App& tool) {
+  auto options = std::make_shared<MergeCommand>();
+  CLI::App& command =
+      *tool.add_subcommand("merge", "make the transfer file of a bake from the parts that `prt bake --shard` made");
+  command.add_option("PARTS", options->parts, "the parts of all shards, in any order")->required();
+  command.add_option("-o,--output", options->output, "transfer file to write")->required();
+  run_with_threads<MergeCommand>(command, options, run_merge, "; the file does not depend on it");
+}
+
+void add_bake_command(CLI::App& tool) { add_bake_to(tool, {}); }
+
 void add_plan_command(CLI::App& tool) {
   auto options = std::make_shared<PlanCommand>();
   CLI::App& command = *tool.add_subcommand("plan", "list the work that a bake can leave out, and the error");
   options->add_to(command);
+  command.add_option("-o,--output", options->output,
+                     "file to write, with all decisions for `--plan FILE` of `bake`, `shards` and `plan`");
   command.add_flag("--json", options->json, "print JSON for programs");
   run_with_threads<PlanCommand>(command, options, run_plan);
 }

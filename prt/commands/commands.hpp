@@ -2,6 +2,7 @@
 // standard output, progress and messages to standard error. An error is an exception with one line.
 #pragma once
 #include <CLI/CLI.hpp>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -27,6 +28,8 @@ inline constexpr int kRetry = 75;
 
 /// Runs the command of a command line; an error is one line on standard error. Returns the exit code.
 int run_tool(int argc, char** argv);
+/// Says the error, one line on standard error. Returns the exit code.
+int tell_error(const std::exception_ptr& error);
 
 /// Each function adds its subcommand to the tool; parsing the command line then runs it.
 void add_bake_command(CLI::App& tool);

@@ -1,7 +1,13 @@
 #include "prt/commands/scene_options.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
+#include <stdexcept>
+#include <utility>
 
 #include "prt/plan/plan.hpp"
 
@@ -36,8 +42,10 @@ void SceneOptions::add_to(CLI::App& command) {
       ->excludes("--compress");
   command.add_flag("--fit-lobes", fit_lobes,
                    "glossy kinds: the nearest lobes in place of BRDFs, which cost less and say what they miss");
-  command.add_option("--plan", plan, "none: leave nothing out; exact: change no number; lossy: stay within the error")
-      ->check(words(kPlanModeNames));
+  command.add_option(
+      "--plan", plan,
+      "none: leave nothing out; exact: change no number; lossy: stay within the error; or the file of `prt plan -o`, "
+      "which holds all decisions and options");
   command.add_option("--error", error, "error limit of a lossy plan, instead of the scene's");
   command
       .add_option("--light-turns", turns, "later rotations of the lights that the plan allows, instead of the scene's")
@@ -45,7 +53,37 @@ void SceneOptions::add_to(CLI::App& command) {
   command.add_option("--without", without, "decisions to skip")->default_str("")->delimiter(',');
 }
 
+std::vector<std::string> SceneOptions::given() const {
+  const std::pair<bool, const char*> all[] = {
+      {degree.has_value(), "--degree"},   {directions.has_value(), "--directions"},
+      {!sampler.empty(), "--sampler"},    {seed.has_value(), "--seed"},
+      {!kind.empty(), "--kind"},          {!compress.empty(), "--compress"},
+      {compress_auto, "--compress-auto"}, {fit_lobes, "--fit-lobes"},
+      {!plan.empty(), "--plan"},          {error.has_value(), "--error"},
+      {!turns.empty(), "--light-turns"},  {!without.empty(), "--without"}};
+  std::vector<std::string> names;
+  for (const auto& [is_given, name] : all) {
+    if (is_given) names.emplace_back(name);
+  }
+  return names;
+}
+
+std::string SceneOptions::plan_file() const {
+  return value_called<PlanMode>(plan, kPlanModeNames) ? std::string() : plan;
+}
+
 void SceneOptions::apply_to(Scene& loaded) const {
+  if (const std::string file = plan_file(); !file.empty()) {
+    if (!std::filesystem::exists(file)) {
+      throw std::invalid_argument(fmt::format("--plan {}: no such file; expected {} or a file that `prt plan -o` made",
+                                              file, fmt::join(kPlanModeNames, ", ")));
+    }
+    for (const std::string& name : given()) {
+      if (name == "--plan") continue;
+      throw std::invalid_argument(fmt::format("{}: {} has decided it; expected one of both", name, file));
+    }
+    return;
+  }
   BakeOptions& bake = loaded.bake;
   bake.degree = degree.value_or(bake.degree);
   bake.directions = directions.value_or(bake.directions);

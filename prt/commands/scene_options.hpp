@@ -20,14 +20,19 @@ struct SceneOptions {
   std::vector<std::uint32_t> compress;  // clusters, vectors; empty: the scene's
   bool compress_auto = false;
   bool fit_lobes = false;
-  std::string plan;  // none, exact, lossy; empty: the scene's
+  std::string plan;  // none, exact, lossy, or the file of a plan; empty: the scene's
   std::optional<double> error;
   std::string turns;
   std::vector<std::string> without;
   int threads = 0;
 
   void add_to(CLI::App& command);
+  /// Throws std::invalid_argument beside the file of a plan, which holds all of them.
   void apply_to(Scene& loaded) const;
+  /// The file of a plan, or empty.
+  [[nodiscard]] std::string plan_file() const;
+  /// The names of the given options.
+  [[nodiscard]] std::vector<std::string> given() const;
 };
 
 /// The words of a command line that gives the options of a command, but for those left out and

@@ -145,7 +145,8 @@ void run_shards(const ShardsCommand& options) {
   require_meshes(scene, "shards");
   BakeJob job(std::move(scene), {.threads = options.threads,
                                  .instruction_set = options.instruction_set,
-                                 .bounce_memory = options.bounce_memory << 20U});
+                                 .bounce_memory = options.bounce_memory << 20U,
+                                 .plan_file = options.plan_file()});
   options.apply_to(job.scene);
   const BakeEstimate estimate = estimate_bake(planned(std::move(job)));
   if (!(estimate.rays > 0.0)) {

@@ -132,23 +132,31 @@ int run(int argc, char** argv) {
 
 namespace sh::prt {
 
-int run_tool(int argc, char** argv) {
+int tell_error(const std::exception_ptr& error) {
   const auto failed = [](std::string_view line, int status) {
     output::log_line("error", "prt: ", line);
     return status;
   };
   try {
-    return run(argc, argv);
+    std::rethrow_exception(error);
   } catch (const output::Interrupted& stop) {
     return failed(stop.what(), 130);
   } catch (const CheckFailed& difference) {
     return failed(difference.what(), 1);
-  } catch (const output::MachineError& error) {
-    return failed(error.what(), kRetry);
+  } catch (const output::MachineError& machine) {
+    return failed(machine.what(), kRetry);
   } catch (const std::bad_alloc&) {
     return failed("this machine has too little memory for it", kRetry);
-  } catch (const std::exception& error) {
-    return failed(error.what(), 2);
+  } catch (const std::exception& other) {
+    return failed(other.what(), 2);
+  }
+}
+
+int run_tool(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception&) {
+    return tell_error(std::current_exception());
   }
 }
 

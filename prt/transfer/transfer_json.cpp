@@ -57,13 +57,6 @@ Decision decision_from(const nlohmann::json& json) {
           json.at("basis").get<std::string>()};
 }
 
-PlanRecord plan_from(const nlohmann::json& json) {
-  PlanRecord plan{
-      amount_from(json.at("budget")), amount_from(json.at("error")), json.at("light_turns").get<std::string>(), {}};
-  for (const nlohmann::json& decision : json.at("decisions")) plan.decisions.push_back(decision_from(decision));
-  return plan;
-}
-
 Json to_json(const Decision& decision) {
   return {{"name", decision.name},
           {"choice", decision.choice},
@@ -133,20 +126,6 @@ void put_clusters(const Storage& storage, Json& json) {
   if (!storage.is_clustered()) return;
   json["clusters"] = storage.clusters;
   json["vectors"] = storage.vectors;
-}
-
-Storage storage_from(const nlohmann::json& json, std::size_t columns) {
-  const auto element = value_called<Element>(json.at("element").get<std::string>(), kElementNames);
-  Storage storage;
-  storage.one_channel = json.at("one_channel").get<bool>();
-  for (const nlohmann::json& column : json.at("kept")) storage.kept.push_back(whole_from<std::uint32_t>(column));
-  const bool rises = std::is_sorted(storage.kept.begin(), storage.kept.end(), std::less_equal<>());
-  if (!element || !rises || columns == 0 || (!storage.kept.empty() && storage.kept.back() >= columns)) {
-    throw std::invalid_argument(kBadStorage);
-  }
-  storage.element = *element;
-  take_clusters(json, storage);
-  return storage;
 }
 
 void put_shape(const TransferShape& shape, Json& header) {
@@ -394,6 +373,27 @@ Json to_json(const KeptBands& kept, const TransferKind& kind) {
   return json;
 }
 
+PlanRecord plan_record_from(const nlohmann::json& json) {
+  PlanRecord plan{
+      amount_from(json.at("budget")), amount_from(json.at("error")), json.at("light_turns").get<std::string>(), {}};
+  for (const nlohmann::json& decision : json.at("decisions")) plan.decisions.push_back(decision_from(decision));
+  return plan;
+}
+
+Storage storage_from(const nlohmann::json& json, std::size_t columns) {
+  const auto element = value_called<Element>(json.at("element").get<std::string>(), kElementNames);
+  Storage storage;
+  storage.one_channel = json.at("one_channel").get<bool>();
+  for (const nlohmann::json& column : json.at("kept")) storage.kept.push_back(whole_from<std::uint32_t>(column));
+  const bool rises = std::is_sorted(storage.kept.begin(), storage.kept.end(), std::less_equal<>());
+  if (!element || !rises || columns == 0 || (!storage.kept.empty() && storage.kept.back() >= columns)) {
+    throw std::invalid_argument(kBadStorage);
+  }
+  storage.element = *element;
+  take_clusters(json, storage);
+  return storage;
+}
+
 Json to_json(const PlanRecord& plan) {
   Json decisions = Json::array();
   for (const Decision& decision : plan.decisions) decisions.push_back(to_json(decision));
@@ -467,7 +467,7 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
   if (header.contains("normal_maps")) transfer.mesh.normal_maps.heads = map_heads_from(header.at("normal_maps"));
   if (header.contains("albedo_maps")) transfer.mesh.albedo_maps.heads = picture_heads_from(header.at("albedo_maps"));
   if (header.contains("atlases")) transfer.mesh.atlases.heads = atlas_heads_from(header.at("atlases"));
-  if (header.contains("plan")) transfer.plan = plan_from(header.at("plan"));
+  if (header.contains("plan")) transfer.plan = plan_record_from(header.at("plan"));
   transfer.directions = whole_from<std::uint32_t>(header.at("directions"));
   if (header.contains("sampler")) {  // absent where no ray was traced, and in files older than the choice
     transfer.sampler = value_from<Sampler>(header["sampler"], kSamplerNames, "sampler");

@@ -11,6 +11,7 @@ void run_checkpoint(std::string_view bytes);  // the records of a checkpoint, or
 void run_scene(std::string_view bytes);       // a scene's JSON
 void run_stage(std::string_view bytes);       // a stage's JSON; its transfer files are those of tests/data/transfer_v1
 void run_parts(std::string_view bytes);       // the plan, bake, camera or lights of a scene
+void run_plan(std::string_view bytes);        // the file of a plan, which a bake of two triangles follows
 void run_table(std::string_view bytes);       // CSV for `shcheck identify` and `rotation-matrix`: its numbers
 void run_identify(std::string_view bytes);    // the same of few numbers, and the answers of both commands
 void run_image(std::string_view bytes);       // OpenEXR, Radiance, PNG, JPEG

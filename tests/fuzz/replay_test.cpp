@@ -38,11 +38,11 @@ TEST_P(Fuzz, TakesTheCommittedInputsAndTheirStarts) {
 INSTANTIATE_TEST_SUITE_P(Each, Fuzz,
                          testing::Values(Target{"transfer", run_transfer}, Target{"checkpoint", run_checkpoint},
                                          Target{"scene", run_scene}, Target{"stage", run_stage},
-                                         Target{"parts", run_parts}, Target{"table", run_table},
-                                         Target{"identify", run_identify}, Target{"image", run_image},
-                                         Target{"light", run_light}, Target{"report", run_report},
-                                         Target{"splats", run_splats}, Target{"density", run_density},
-                                         Target{"command", run_command}),
+                                         Target{"parts", run_parts}, Target{"plan", run_plan},
+                                         Target{"table", run_table}, Target{"identify", run_identify},
+                                         Target{"image", run_image}, Target{"light", run_light},
+                                         Target{"report", run_report}, Target{"splats", run_splats},
+                                         Target{"density", run_density}, Target{"command", run_command}),
                          [](const auto& target) { return std::string(target.param.name); });
 
 }  // namespace

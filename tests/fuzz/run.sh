@@ -6,13 +6,13 @@ build=$(cd "$1" && pwd) || exit 2  # a target may change its folder
 seconds=$2
 shift 2
 source=$(cd "$(dirname "$0")/../.." && pwd)
-[ $# -gt 0 ] || set -- transfer checkpoint scene stage parts table identify image light report splats density command
+[ $# -gt 0 ] || set -- transfer checkpoint scene stage parts plan table identify image light report splats density command
 
 # The longest input, in bytes: short ones run often.
 longest() {
   case $1 in
     transfer) echo 8192 ;;
-    checkpoint | image | splats) echo 4096 ;;
+    checkpoint | image | plan | splats) echo 4096 ;;
     command) echo 16 ;;
     *) echo 2048 ;;
   esac

@@ -7,11 +7,16 @@
 #include "numeric/identify/identify.hpp"
 #include "numeric/identify/rotation_check.hpp"
 #include "numeric/output/parse_json.hpp"
+#include "prt/bake/bake.hpp"
 #include "prt/light/light.hpp"
+#include "prt/mesh/mesh_checksum.hpp"
+#include "prt/plan/plan_file.hpp"
 #include "prt/scene/scene.hpp"
 #include "prt/scene/scene_parts.hpp"
 #include "prt/scene/stage.hpp"
 #include "tests/fuzz/entry.hpp"
+#include "tests/prt/meshes.hpp"
+#include "tests/prt/temporary_folder.hpp"
 
 namespace sh::fuzz {
 namespace {
@@ -84,6 +89,28 @@ void read_parts(const std::string& file) {
   for (const JsonReader& item : reader.items("lights")) light(item);
 }
 
+// A plan for another mesh, or with a wrong checksum, is refused before anything else is read.
+void follow_plan(const std::string& file) {
+  Json json = read_json(file);
+  Scene scene;
+  scene.mesh = prt::test::primitive_mesh("plane");
+  if (json.is_object() && json.contains("mesh") && json.contains("checksum")) {
+    json["mesh"] = checksums_of(scene.mesh).whole;
+    json["checksum"] = plan_checksum(json);
+    prt::test::write_all(file, json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  }
+  BakeJob job(std::move(scene), {.threads = 1});
+  job.plan = read_plan(file, job.scene);
+  const BakeOptions& options = job.scene.bake;
+  if (options.degree > 3 || options.directions > 64 || options.kind->indirect != nullptr) return;
+  try {
+    const Transfer transfer = bake(std::move(job));
+    require(transfer.receivers() == 4, "a bake follows the plan");
+  } catch (const std::invalid_argument& error) {  // options that do not fit together
+    require_one_line(error.what());
+  }
+}
+
 template <class Check>
 void check_table(const Check& check) {
   try {
@@ -125,6 +152,7 @@ void identify(const std::string& file) {
 void run_scene(std::string_view bytes) { run_reader(read_scene, bytes); }
 void run_stage(std::string_view bytes) { run_reader(read_stage, bytes); }
 void run_parts(std::string_view bytes) { run_reader(read_parts, bytes); }
+void run_plan(std::string_view bytes) { run_reader(follow_plan, bytes); }
 void run_table(std::string_view bytes) { run_reader(read_table, bytes); }
 void run_identify(std::string_view bytes) { run_reader(identify, bytes); }
 

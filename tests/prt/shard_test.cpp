@@ -88,6 +88,25 @@ TEST_F(Shards, GiveThemForEveryOptionOfABake) {
   for (const Arguments& options : cases) EXPECT_TRUE(merged(parts(3, options)) == single(options)) << options[1];
 }
 
+TEST_F(Shards, GiveThemByAPlanThatWasMadeOnce) {
+  const Arguments decided = {"--kind", "interreflected", "--error", "0.1"};
+  const std::string plan = folder_.file("plan.json");
+  succeeded(joined({"plan", file_, "--degree", "2", "--directions", directions_, "-o", plan}, decided));
+  const std::string whole = single(decided);
+  Arguments files;
+  for (const char* shard : {"1/3", "2/3", "3/3"}) {
+    files.push_back(folder_.file(std::string("by plan ") + shard[0]));
+    succeeded({"bake", file_, "--plan", plan, "--shard", shard, "-o", files.back()});
+  }
+  EXPECT_TRUE(merged(files) == whole);
+  const std::string told = succeeded({"shards", file_, "-n", "2", "--plan", plan, "-o", out_}).out;
+  EXPECT_NE(told.find("prt bake '"), std::string::npos) << told;
+  EXPECT_NE(told.find(" --plan " + plan + " --shard 1/2 -o "), std::string::npos) << told;
+  std::filesystem::remove(out_);
+  std::filesystem::remove(plan);
+  expect_no_merge(files, "--plan " + plan + ": no such file");
+}
+
 TEST_F(Shards, GiveThemForMirrorsEmissionAndTexels) {
   scene(R"("mirror": [0.5, 0.5, 0.5])");
   EXPECT_TRUE(merged(parts(3, {"--kind", "interreflected"})) == single({"--kind", "interreflected"}));

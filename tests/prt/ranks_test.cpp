@@ -1,0 +1,229 @@
+// Several processes that solve the bounces of a bake together: the bits of one process, whatever their number; an error of
+// any of them ends all with one line.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <barrier>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "prt/bake/bounces.hpp"
+#include "tests/prt/temporary_folder.hpp"
+#include "tests/prt/tool.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+// Threads in place of processes.
+class Threads {
+ public:
+  explicit Threads(std::size_t count) : count_(count), meeting_(static_cast<std::ptrdiff_t>(count)) {}
+  template <class Run>
+  void run(const Run& run) {
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i < count_; ++i) {
+      threads.emplace_back([&, i] { run(ranks(i)); });
+    }
+    for (std::thread& thread : threads) thread.join();
+  }
+
+ private:
+  [[nodiscard]] Ranks ranks(std::size_t index) {
+    return {index, count_, [this, index](double* values, std::size_t size, std::size_t root) {
+              if (index == root) told_ = values;
+              meeting_.arrive_and_wait();
+              if (index != root) std::copy_n(told_, size, values);
+              meeting_.arrive_and_wait();
+            }};
+  }
+  std::size_t count_;
+  std::barrier<> meeting_;
+  const double* told_ = nullptr;
+};
+
+// Rows that differ in length and weight, with the sum `sum`.
+FormFactorRow row_of(std::size_t vertex, std::size_t vertices, double sum) {
+  FormFactorRow row;
+  const std::size_t count = 1 + vertex % 7;
+  for (std::size_t i = 0; i < count; ++i) {
+    row.push_back(
+        {static_cast<std::uint32_t>((31 * vertex + 17 * i * i + 1) % vertices), sum / static_cast<double>(count)});
+  }
+  return row;
+}
+
+struct Solved {
+  BounceReport report;
+  std::vector<double> values;
+};
+
+Solved solve(std::size_t vertices, double sum, BounceSolver solver, const Ranks& ranks) {
+  FormFactors factors(vertices);
+  factors.share_among(ranks);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    factors.keep(v, row_of(v, vertices, sum));
+    EXPECT_EQ(factors.is_kept(v), ranks.owns(v));
+  }
+  const BounceLayout layout{4};
+  Panel x(vertices, layout.columns());
+  for (std::size_t v = 0; v < vertices; ++v) {
+    for (std::size_t i = 0; i < x.columns; ++i) x.row(v)[i] = static_cast<double>((v * 13 + i * 7) % 11) - 3.0;
+  }
+  const std::vector<Eigen::Vector3f> albedo(vertices, {0.5F, 0.25F, 0.9F});
+  Solved solved;
+  solved.report = solve_bounces(factors, albedo, layout, x, {.solver = solver});
+  solved.values = x.values;
+  return solved;
+}
+
+TEST(Ranks, OwnEveryVertexOnceAndShareThemEvenly) {
+  for (const std::size_t count : {1U, 2U, 3U, 7U}) {
+    std::vector<std::size_t> owned(count);
+    for (std::size_t v = 0; v < 7 * 3 * 2 * Ranks::kRowsAtOnce; ++v) ++owned[Ranks{0, count, {}}.owner(v)];
+    for (const std::size_t own : owned) EXPECT_EQ(own, owned[0]) << count;
+  }
+}
+
+TEST(Ranks, GiveTheBitsOfOneProcess) {
+  for (const BounceSolver solver : {BounceSolver::kSeries, BounceSolver::kKrylov}) {
+    for (const std::size_t vertices : {1U, 255U, 257U, 1500U}) {  // also fewer than the processes have rows for
+      const Solved alone = solve(vertices, 0.75, solver, {});
+      EXPECT_TRUE(alone.report.certified);
+      for (const std::size_t count : {2U, 3U, 5U}) {
+        std::vector<Solved> all(count);
+        Threads(count).run([&](const Ranks& ranks) { all[ranks.index] = solve(vertices, 0.75, solver, ranks); });
+        for (const Solved& solved : all) {
+          EXPECT_TRUE(solved.values == alone.values) << vertices << " of " << count;
+          EXPECT_EQ(solved.report.bound, alone.report.bound);
+          EXPECT_EQ(solved.report.applications, alone.report.applications);
+        }
+      }
+    }
+  }
+}
+
+class MpiMerge : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::system("command -v mpirun >/dev/null") != 0) GTEST_SKIP() << "mpirun is not installed";
+#ifndef SHFORGE_MPI
+    GTEST_SKIP() << "built without MPI";
+#endif
+  }
+  // A room that is open above, of walls of this albedo, in two parts.
+  void trace(const std::string& kind, const std::string& albedo, const Arguments& more = {}) {
+    write_all(scene_, R"({"meshes": [{"primitive": "box", "max_edge": 0.1, "flip": true, "albedo": )" + albedo +
+                          R"(, "transform": {"translate": [0, 0, 0.5]}}, {"primitive": "sphere", "segments": 16,
+                            "transform": {"scale": 0.4}}]})");
+    for (const char* shard : {"1/2", "2/2"}) {
+      std::filesystem::remove(part(shard[0]));
+      succeeded(joined(bake(kind, part(shard[0])), joined({"--shard", shard}, more)));
+    }
+  }
+  [[nodiscard]] Arguments bake(const std::string& kind, const std::string& output) const {
+    return {"bake", scene_, "--degree", "2", "--directions", "128", "--kind", kind, "-o", output};
+  }
+  [[nodiscard]] std::string part(char number) const { return folder_.file(std::string("part") + number); }
+  // Runs `prt merge` of the parts as so many processes; standard error goes to err_. Returns the exit code.
+  [[nodiscard]] int merge(int processes, const std::string& parts = {}) const {
+    const std::string line =
+        "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --quiet --oversubscribe "
+        "--mca btl self,vader -np " +
+        std::to_string(processes) + " " SHFORGE_BIN_DIR "/prt merge " +
+        (parts.empty() ? part('1') + " " + part('2') : parts) + " -o " + out_ + " 2>" + err_;
+    const int status = std::system(line.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  // Lines of the tool itself; mpirun says more.
+  [[nodiscard]] std::vector<std::string> errors() const {
+    std::vector<std::string> found;
+    std::istringstream lines(read_all(err_));
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("prt: ")) found.push_back(line);
+    }
+    return found;
+  }
+  TemporaryFolder folder_;
+  const std::string scene_ = folder_.file("scene.json");
+  const std::string out_ = folder_.file("merged");
+  const std::string err_ = folder_.file("err");
+};
+
+TEST_F(MpiMerge, GivesTheBytesOfTheSingleBake) {
+  for (const char* kind : {"interreflected", "shadowed", "glossy_interreflected"}) {
+    trace(kind, "[0.5, 0.7, 0.99]");
+    succeeded(bake(kind, folder_.file("single")));
+    for (const int processes : {1, 2, 3}) {
+      EXPECT_EQ(merge(processes), 0) << read_all(err_);
+      EXPECT_TRUE(read_all(out_) == read_all(folder_.file("single"))) << kind << " " << processes;
+      std::filesystem::remove(out_);
+    }
+  }
+}
+
+TEST_F(MpiMerge, TracesRowsAgainThatItsMemoryCannotHold) {
+  trace("interreflected", "[0.5, 0.5, 0.5]", {"--bounce-memory", "0"});
+  succeeded(joined(bake("interreflected", folder_.file("single")), {"--bounce-memory", "0"}));
+  EXPECT_EQ(merge(3), 0) << read_all(err_);
+  EXPECT_TRUE(read_all(out_) == read_all(folder_.file("single")));
+}
+
+TEST_F(MpiMerge, SpeaksWithOneVoice) {
+  trace("interreflected", "[0.5, 0.5, 0.5]");
+  EXPECT_EQ(merge(3), 0);
+  std::size_t solved = 0;
+  for (const std::string& line : errors()) solved += line.find("bounces by ") != std::string::npos ? 1 : 0;
+  EXPECT_EQ(solved, 1U) << read_all(err_);
+}
+
+TEST_F(MpiMerge, EndsWithOneLineIfAPartIsMissing) {
+  trace("interreflected", "[0.5, 0.5, 0.5]");
+  EXPECT_EQ(merge(3, part('1')), 2);
+  EXPECT_EQ(errors().size(), 1U) << read_all(err_);
+  EXPECT_NE(read_all(err_).find("missing, those of shard 2/2"), std::string::npos) << read_all(err_);
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
+// The processes of `prt` whose command line names the file.
+std::vector<pid_t> processes_with(const std::string& file) {
+  std::vector<pid_t> found;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const pid_t number = std::atoi(entry.path().filename().c_str());
+    std::error_code gone;
+    const auto program = number > 0 ? std::filesystem::read_symlink(entry.path() / "exe", gone) : "";
+    if (gone || program.filename() != "prt") continue;
+    if (read_all((entry.path() / "cmdline").string()).find(file) != std::string::npos) found.push_back(number);
+  }
+  return found;
+}
+
+// mpirun ends the others, nothing is written, and the same command does it then.
+TEST_F(MpiMerge, OfWhichOneProcessIsKilledLeavesNothingAndRunsAgain) {
+  trace("interreflected", "[0.5, 0.5, 0.9999]");
+  std::vector<pid_t> seen;
+  std::thread killer([&] {
+    for (int i = 0; i < 3000 && seen.empty(); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      seen = processes_with(part('1'));
+    }
+    if (!seen.empty()) kill(seen.back(), SIGKILL);
+  });
+  const int status = merge(3);
+  killer.join();
+  ASSERT_FALSE(seen.empty());
+  EXPECT_NE(status, 0);
+  EXPECT_FALSE(std::filesystem::exists(out_));
+  EXPECT_TRUE(processes_with(part('1')).empty());
+  EXPECT_EQ(merge(3), 0) << read_all(err_);
+  EXPECT_TRUE(std::filesystem::exists(out_));
+}
+
+}  // namespace
+}  // namespace sh::prt::test
