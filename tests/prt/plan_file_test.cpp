@@ -1,13 +1,18 @@
 // `prt plan -o FILE`, and what follows the file: the bytes of a bake that plans itself; other meshes, other lights and
 // changed files are refused.
+#include "prt/plan/plan_file.hpp"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "prt/mesh/mesh_checksum.hpp"
+#include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 #include "tests/prt/tool.hpp"
 
@@ -169,6 +174,211 @@ TEST_F(PlanFile, HoldsAllOptionsOfABake) {
   expect_refused({"bake", scene_, "--plan", plan_, "-o", plan_}, "plan.json");
   expect_refused({"plan", scene_, "-o", scene_}, "scene.json");
   EXPECT_EQ(read_all(scene_), text());
+}
+
+TEST(MeshChecksums, TellEveryChangeAndWhetherRaysSeeIt) {
+  Mesh mesh = primitive_mesh("box", 4);
+  mesh.brdfs.rows = {1.0F, 2.0F};
+  mesh.normal_maps.texels = {Eigen::half(1.0F), Eigen::half(0.5F)};
+  mesh.albedo_maps.bytes = {1, 2};
+  mesh.atlases.reach = {1.0F};
+  const std::size_t count = mesh.positions.size();
+  for (auto* values : {&mesh.emission, &mesh.mirror, &mesh.specular, &mesh.tint}) {
+    values->assign(count, Eigen::Vector3f::Zero());
+  }
+  for (auto* values : {&mesh.texture, &mesh.chart}) values->assign(count, Eigen::Vector2f::Zero());
+  for (auto* values : {&mesh.brdf, &mesh.normal_map, &mesh.albedo_map, &mesh.atlas}) values->assign(count, 0);
+  mesh.exponent.assign(count, 0.0F);
+  const MeshChecksums whole = checksums_of(mesh);
+  EXPECT_EQ(whole.rays.size(), 16U);
+  EXPECT_EQ(whole.whole.size(), 16U);
+  const auto expect_told = [&](const char* what, bool rays, const std::function<void(Mesh&)>& change) {
+    Mesh other = mesh;
+    change(other);
+    EXPECT_NE(checksums_of(other).whole, whole.whole) << what;
+    EXPECT_EQ(checksums_of(other).rays != whole.rays, rays) << what;
+  };
+  const auto longer = [](Eigen::Vector3f& v) { v *= 1.5F; };
+  expect_told("positions", true, [&](Mesh& m) { longer(m.positions.back()); });
+  expect_told("normals", true, [&](Mesh& m) { longer(m.normals.back()); });
+  expect_told("geometric normals", true, [&](Mesh& m) { longer(m.geometric_normals.back()); });
+  expect_told("mirror", true, [](Mesh& m) { m.mirror.back().x() = 0.5F; });
+  expect_told("faces", true, [](Mesh& m) { std::swap(m.faces.back()[0], m.faces.back()[1]); });
+  expect_told("reach of texels", true, [](Mesh& m) { m.atlases.reach[0] = 2.0F; });
+  expect_told("albedo", false, [](Mesh& m) { m.albedo.back().x() = 0.125F; });
+  expect_told("emission", false, [](Mesh& m) { m.emission.back().x() = 0.5F; });
+  expect_told("specular", false, [](Mesh& m) { m.specular.back().x() = 0.5F; });
+  expect_told("tint", false, [](Mesh& m) { m.tint.back().x() = 0.5F; });
+  expect_told("exponent", false, [](Mesh& m) { m.exponent.back() = 1.0F; });
+  expect_told("BRDF", false, [](Mesh& m) { m.brdf.back() = 1; });
+  expect_told("texture", false, [](Mesh& m) { m.texture.back().x() = 1.0F; });
+  expect_told("normal map", false, [](Mesh& m) { m.normal_map.back() = 1; });
+  expect_told("albedo map", false, [](Mesh& m) { m.albedo_map.back() = 1; });
+  expect_told("chart", false, [](Mesh& m) { m.chart.back().x() = 1.0F; });
+  expect_told("atlas", false, [](Mesh& m) { m.atlas.back() = 1; });
+  expect_told("tables", false, [](Mesh& m) { m.brdfs.rows[1] = 3.0F; });
+  expect_told("normals of a map", false, [](Mesh& m) { m.normal_maps.texels[1] = Eigen::half(0.25F); });
+  expect_told("a picture", false, [](Mesh& m) { m.albedo_maps.bytes[1] = 3; });
+  expect_told("the frame", false, [](Mesh& m) { m.frame.unit = 2.0; });
+}
+
+// Plans of which every number is set, written and read without the tool.
+class KeptPlan : public testing::Test {
+ protected:
+  void SetUp() override {
+    scene_.name = "hall";
+    scene_.mesh = primitive_mesh("box", 4);
+    scene_.lights = {LightSpec()};
+    scene_.bake.degree = 2;
+    scene_.bake.directions = 77;
+    scene_.bake.sampler = Sampler::kSobol;
+    scene_.bake.seed = 5;
+    scene_.bake.kind = &kInterreflected;
+    scene_.bake.bounces.tolerance = 0.0123;
+    scene_.bake.compress_by_plan = true;
+    plan_.record = {0.05, 0.0123, "any", {{"clusters", "some", "why", 12, -34, 0.002, "bound"}}};
+    plan_.open.assign(scene_.mesh.positions.size(), 0);
+    for (const std::size_t v : {0U, 1U, 5U}) plan_.open[v] = 1;
+    plan_.open.back() = 1;
+    plan_.storage.element = Element::kByte;
+    plan_.storage.kept = {0, 2, 6};
+    plan_.largest = {1.0F, 0.1F, 0.2F, 0.3F, 0.4F, 0.5F, 0.6F, 0.7F, 1e-9F};
+    plan_.clusters = {{4, 0}, {kMostClusters, kMostVectors}};
+    plan_.lights = {LightCoefficients::zero(2), LightCoefficients::zero(3)};
+    plan_.lights[1].at(2, 15) = 1.0 / 3.0;
+    plan_.known_by = "measured";
+    plan_.reference = 2.5;
+    plan_.beyond = 0.25;
+    plan_.asked = {4000, 8000};
+    plan_.planned = {1000, 6000};
+  }
+  Scene write() {
+    write_plan(file_, plan_, scene_, checksums_of(scene_.mesh).whole);
+    Scene other = scene_;
+    other.bake = {};
+    other.plan = {};
+    return other;
+  }
+  // The line with which a file is refused after such a change, with a checksum that is right; empty if it is not.
+  std::string refusal(const std::function<void(Json&)>& change) {
+    Scene other = write();
+    Json json = Json::parse(read_all(file_));
+    change(json);
+    json["checksum"] = plan_checksum(json);
+    write_all(file_, json.dump());
+    try {
+      static_cast<void>(read_plan(file_, other));
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  TemporaryFolder folder_;
+  const std::string file_ = folder_.file("plan.json");
+  Scene scene_;
+  Plan plan_;
+};
+
+TEST_F(KeptPlan, HasEveryNumberOfThePlanAndOfTheBake) {
+  Scene other = write();
+  const Plan read = read_plan(file_, other);
+  EXPECT_EQ(other.bake.degree, 2);
+  EXPECT_EQ(other.bake.directions, 77);
+  EXPECT_EQ(other.bake.sampler, Sampler::kSobol);
+  EXPECT_EQ(other.bake.seed, 5U);
+  EXPECT_EQ(other.bake.kind, &kInterreflected);
+  EXPECT_EQ(other.bake.bounces.tolerance, 0.0123);
+  EXPECT_TRUE(other.bake.compress_by_plan);
+  EXPECT_EQ(other.plan.mode, PlanMode::kLossy);
+  EXPECT_EQ(plan_json(read, other), plan_json(plan_, scene_));
+  EXPECT_TRUE(read.open == plan_.open);
+  EXPECT_TRUE(read.storage.kept == plan_.storage.kept);
+  EXPECT_TRUE(read.largest == plan_.largest);
+  ASSERT_EQ(read.clusters.size(), 2U);
+  EXPECT_EQ(read.clusters[0].clusters, 4U);
+  EXPECT_EQ(read.clusters[1].vectors, kMostVectors);
+  ASSERT_EQ(read.lights.size(), 2U);
+  EXPECT_EQ(read.lights[1].degree, 3);
+  EXPECT_TRUE(read.lights[1].values == plan_.lights[1].values);
+  EXPECT_EQ(read.known_by, "measured");
+  EXPECT_EQ(read.reference, 2.5);
+}
+
+TEST_F(KeptPlan, WithoutAnErrorSaysSoAndHasNoLight) {
+  plan_.record.budget = 0.0;
+  plan_.known_by.clear();
+  plan_.open.clear();
+  scene_.bake.compress_by_plan = false;
+  scene_.bake.compress = {7, 3};
+  Scene other = write();
+  other.lights = {};
+  const Plan read = read_plan(file_, other);
+  EXPECT_EQ(other.plan.mode, PlanMode::kExact);
+  EXPECT_EQ(other.bake.compress.clusters, 7U);
+  EXPECT_EQ(other.bake.compress.vectors, 3U);
+  EXPECT_FALSE(other.bake.compress_by_plan);
+  EXPECT_TRUE(read.open.empty());
+  EXPECT_TRUE(read.known_by.empty());
+}
+
+TEST_F(KeptPlan, RefusesNumbersThatNoPlanHas) {
+  const std::string damaged = file_ + ": damaged";
+  const std::size_t vertices = scene_.mesh.positions.size();
+  const std::pair<std::string, std::function<void(Json&)>> cases[] = {
+      {" (vertices that the mesh does not have)",
+       [&](Json& json) {
+         json["open"] = {{0, vertices + 1}};
+       }},
+      {" (vertices that the mesh does not have)",
+       [](Json& json) {
+         json["open"] = {{3, 2}};
+       }},
+      {" (a light of no degree)",
+       [](Json& json) {
+         json["lights"] = {{1, 2, 3, 4}};
+       }},
+      {" (a light of no degree)", [](Json& json) { json["lights"] = {std::vector<int>(3 * 144)}; }},
+      {" (a light of no degree)", [](Json& json) { json["lights"] = {std::vector<int>(3 * 4)}; }},
+      {" (counts of no clusters)",
+       [](Json& json) {
+         json["clusters"] = {{0, 1}};
+       }},
+      {" (counts of no clusters)",
+       [](Json& json) {
+         json["clusters"] = {{kMostClusters + 1, 1}};
+       }},
+      {" (counts of no clusters)",
+       [](Json& json) {
+         json["clusters"] = {{1, kMostVectors + 1}};
+       }},
+      {" (clusters without a decision)", [](Json& json) { json["decisions"][0]["name"] = "bands"; }},
+      {" (clusters without a decision)", [](Json& json) { json["reference_radiance"] = 0; }},
+      {" (bytes of another count of numbers)",
+       [](Json& json) {
+         json["largest"] = {1, 2};
+       }},
+      {"; expected a file", [](Json& json) { json.erase("storage"); }},
+      {"; expected a file", [](Json& json) { json["largest"] = "x"; }}};
+  for (const auto& [reason, change] : cases) {
+    EXPECT_TRUE(refusal(change).starts_with(damaged + reason)) << reason << ": " << refusal(change);
+  }
+  EXPECT_EQ(refusal([&](Json& json) { json["open"] = {{0, vertices}, {2, 2}}; }), "");
+  EXPECT_EQ(refusal([](Json& json) { json["lights"] = {std::vector<int>(3 * 121), std::vector<int>(3 * 9)}; }), "");
+}
+
+TEST_F(KeptPlan, TakesALightThatDiffersByRounding) {
+  const auto changed = [](double part) {
+    return [part](Json& json) { json["light"][0] = json["light"][0].get<double>() * (1.0 + part); };
+  };
+  EXPECT_EQ(refusal(changed(1e-9)), "");
+  EXPECT_EQ(refusal(changed(-1e-9)), "");
+  for (const double part : {1e-5, -1e-5}) {
+    EXPECT_NE(refusal(changed(part)).find("its errors hold for other lights"), std::string::npos);
+  }
+  for (const auto& light : {Json::array(), Json::array({1.0})}) {
+    EXPECT_NE(refusal([&](Json& json) { json["light"] = light; }).find("other lights"), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -225,5 +225,12 @@ TEST_F(MpiMerge, OfWhichOneProcessIsKilledLeavesNothingAndRunsAgain) {
   EXPECT_TRUE(std::filesystem::exists(out_));
 }
 
+#ifndef SHFORGE_MPI
+TEST(Ranks, OfABuildWithoutMpiAreRefused) {
+  expect_refused({"merge", "a", "-o", "b"}, "merge: started by MPI, which this build does not have",
+                 "export OMPI_COMM_WORLD_SIZE=2");
+}
+#endif
+
 }  // namespace
 }  // namespace sh::prt::test
