@@ -142,19 +142,31 @@ class Workshop:
         self.copy = os.path.join(folder, os.path.basename(path))
         self.object = os.path.join(folder, "copy.o")
         self.seconds = [600.0] * len(tests)  # that the tests may take; a flip may make a loop endless
-        with open(os.path.join(build, "compile_commands.json"), encoding="utf-8") as text:
-            words = [shlex.split(entry["command"]) for entry in json.load(text)
-                     if entry["file"] == os.path.join(ROOT, path)]
-        if not words:
-            fail(f"{path}: expected a file that {build} compiles, but its compile_commands.json lacks it")
-        words = words[0]
+        self.unit = os.path.join(folder, "unit.cpp")  # what is compiled: the copy, and the files that are compiled as one with it
+        words = shlex.split(self.write_unit(os.path.join(ROOT, path)))
         first = next(i for i, word in enumerate(words) if re.search(r"(g|c|clang)\+\+[-\d.]*$", word))  # behind ccache
         words = words[first:]
         self.real_object = words[words.index("-o") + 1]
         words[words.index("-o") + 1] = self.object
-        words[words.index("-c") + 1] = self.copy
+        words[words.index("-c") + 1] = self.unit
         self.command = words + ["-w", "-D_GLIBCXX_ASSERTIONS"]
         self.links = [self.link_of(program) for program, _ in tests]
+
+    def write_unit(self, source):
+        """Returns the command that compiles the source, alone or (SHFORGE_UNITY) among others."""
+        with open(os.path.join(self.build, "compile_commands.json"), encoding="utf-8") as text:
+            entries = json.load(text)
+        include = f'#include "{source}"'
+        for entry in entries:
+            texts = [include] if entry["file"] == source else []
+            if os.path.basename(entry["file"]).startswith("unity_"):
+                with open(entry["file"], encoding="utf-8") as text:
+                    texts = text.read().splitlines()
+            if include in texts:
+                with open(self.unit, "w", encoding="utf-8") as file:
+                    file.write("\n".join(texts).replace(include, f'#include "{self.copy}"'))
+                return entry["command"]
+        return fail(f"{source}: expected a file that {self.build} compiles, but its compile_commands.json lacks it")
 
     def link_of(self, program):
         commands = subprocess.run(["ninja", "-C", self.build, "-t", "commands", program], capture_output=True, text=True,

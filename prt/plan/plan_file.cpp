@@ -38,7 +38,7 @@ std::vector<double> light_of(const Scene& scene) {
 }
 
 bool is_same_light(const std::vector<double>& a, const std::vector<double>& b) {
-  if (a.size() != b.size() || a.empty()) return false;
+  if (a.size() != b.size()) return false;
   const double largest = as_array(b).abs().maxCoeff();
   return ((as_array(a) - as_array(b)).abs() <= kSameLight * largest).all();
 }

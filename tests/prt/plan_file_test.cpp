@@ -228,7 +228,7 @@ class KeptPlan : public testing::Test {
   void SetUp() override {
     scene_.name = "hall";
     scene_.mesh = primitive_mesh("box", 4);
-    scene_.lights = {LightSpec()};
+    scene_.lights.assign(30, LightSpec());  // whose largest number is not about 1
     scene_.bake.degree = 2;
     scene_.bake.directions = 77;
     scene_.bake.sampler = Sampler::kSobol;
@@ -243,7 +243,7 @@ class KeptPlan : public testing::Test {
     plan_.storage.element = Element::kByte;
     plan_.storage.kept = {0, 2, 6};
     plan_.largest = {1.0F, 0.1F, 0.2F, 0.3F, 0.4F, 0.5F, 0.6F, 0.7F, 1e-9F};
-    plan_.clusters = {{4, 0}, {kMostClusters, kMostVectors}};
+    plan_.clusters = {{1, 0}, {kMostClusters, kMostVectors}};
     plan_.lights = {LightCoefficients::zero(2), LightCoefficients::zero(3)};
     plan_.lights[1].at(2, 15) = 1.0 / 3.0;
     plan_.known_by = "measured";
@@ -296,7 +296,7 @@ TEST_F(KeptPlan, HasEveryNumberOfThePlanAndOfTheBake) {
   EXPECT_TRUE(read.storage.kept == plan_.storage.kept);
   EXPECT_TRUE(read.largest == plan_.largest);
   ASSERT_EQ(read.clusters.size(), 2U);
-  EXPECT_EQ(read.clusters[0].clusters, 4U);
+  EXPECT_EQ(read.clusters[0].clusters, 1U);
   EXPECT_EQ(read.clusters[1].vectors, kMostVectors);
   ASSERT_EQ(read.lights.size(), 2U);
   EXPECT_EQ(read.lights[1].degree, 3);
@@ -320,6 +320,19 @@ TEST_F(KeptPlan, WithoutAnErrorSaysSoAndHasNoLight) {
   EXPECT_FALSE(other.bake.compress_by_plan);
   EXPECT_TRUE(read.open.empty());
   EXPECT_TRUE(read.known_by.empty());
+}
+
+TEST_F(KeptPlan, OfGlossyTransferHasTheBandsToKeep) {
+  plan_ = {};
+  scene_.bake.kind = &kGlossyInterreflected;
+  scene_.bake.compress_by_plan = false;
+  scene_.bake.keep = {3, 1, 2};
+  Scene other = write();
+  static_cast<void>(read_plan(file_, other));
+  EXPECT_EQ(other.bake.kind, &kGlossyInterreflected);
+  EXPECT_EQ(other.bake.keep, scene_.bake.keep);
+  EXPECT_EQ(other.bake.compress.clusters, 0U);
+  EXPECT_FALSE(other.bake.compress_by_plan);
 }
 
 TEST_F(KeptPlan, RefusesNumbersThatNoPlanHas) {
