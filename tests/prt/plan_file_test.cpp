@@ -259,19 +259,24 @@ class KeptPlan : public testing::Test {
     other.plan = {};
     return other;
   }
-  // The line with which a file is refused after such a change, with a checksum that is right; empty if it is not.
-  std::string refusal(const std::function<void(Json&)>& change) {
-    Scene other = write();
-    Json json = Json::parse(read_all(file_));
-    change(json);
-    json["checksum"] = plan_checksum(json);
-    write_all(file_, json.dump());
+  // The line with which a file of this text is refused; empty if it is not.
+  std::string refusal_of(const std::string& text) {
+    Scene other = scene_;
+    write_all(file_, text);
     try {
       static_cast<void>(read_plan(file_, other));
     } catch (const std::runtime_error& error) {
       return error.what();
     }
     return "";
+  }
+  // The same after such a change, with a checksum that is right.
+  std::string refusal(const std::function<void(Json&)>& change) {
+    static_cast<void>(write());
+    Json json = Json::parse(read_all(file_));
+    change(json);
+    json["checksum"] = plan_checksum(json);
+    return refusal_of(json.dump());
   }
 
   TemporaryFolder folder_;
@@ -378,6 +383,15 @@ TEST_F(KeptPlan, RefusesNumbersThatNoPlanHas) {
   }
   EXPECT_EQ(refusal([&](Json& json) { json["open"] = {{0, vertices}, {2, 2}}; }), "");
   EXPECT_EQ(refusal([](Json& json) { json["lights"] = {std::vector<int>(3 * 121), std::vector<int>(3 * 9)}; }), "");
+}
+
+TEST_F(KeptPlan, RefusesWhatIsNoPlanForThisMesh) {
+  for (const char* text : {"[]", "7", "{}", R"("shforge_plan")"}) {
+    EXPECT_EQ(refusal_of(text), file_ + ": no plan; expected a file that `prt plan -o` made") << text;
+  }
+  EXPECT_NE(refusal_of(R"({"shforge_plan": 1})").find("damaged or edited"), std::string::npos);
+  EXPECT_NE(refusal([](Json& json) { json["mesh"] = "0"; }).find("a plan for another mesh"), std::string::npos);
+  EXPECT_NE(refusal([](Json& json) { json["shforge_plan"] = 2; }).find("of version 2, not 1"), std::string::npos);
 }
 
 TEST_F(KeptPlan, TakesALightThatDiffersByRounding) {
