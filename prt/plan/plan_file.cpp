@@ -153,7 +153,7 @@ void write_plan(const std::string& file, const Plan& plan, const Scene& scene, c
 
 Plan read_plan(const std::string& file, Scene& scene) {
   const nlohmann::json json = read_json(file);
-  if (!json.is_object() || !json.contains(kVersionKey)) refuse(file, "no plan");
+  if (!json.contains(kVersionKey)) refuse(file, "no plan");
   if (json[kVersionKey] != kVersion) {
     refuse(file, fmt::format("a plan of version {}, not {}", json[kVersionKey].dump(), kVersion));
   }

@@ -390,6 +390,10 @@ TEST_F(KeptPlan, RefusesWhatIsNoPlanForThisMesh) {
     EXPECT_EQ(refusal_of(text), file_ + ": no plan; expected a file that `prt plan -o` made") << text;
   }
   EXPECT_NE(refusal_of(R"({"shforge_plan": 1})").find("damaged or edited"), std::string::npos);
+  static_cast<void>(write());
+  Json edited = Json::parse(read_all(file_));
+  edited["budget"] = 0.5;
+  EXPECT_NE(refusal_of(edited.dump()).find("damaged or edited"), std::string::npos);
   EXPECT_NE(refusal([](Json& json) { json["mesh"] = "0"; }).find("a plan for another mesh"), std::string::npos);
   EXPECT_NE(refusal([](Json& json) { json["shforge_plan"] = 2; }).find("of version 2, not 1"), std::string::npos);
 }
