@@ -61,11 +61,6 @@ bool take_row(std::string_view& data, std::size_t vertices, FormFactorRow& row, 
   return take(data, row.data(), row.size()) && is_row(row, vertices);
 }
 
-template <class T>
-std::uint64_t checksum_of(const std::vector<T>& values) {
-  return checksum(values.data(), values.size() * sizeof(T));
-}
-
 std::string encode_chunk(const ShadowResult& result, const VertexRange& range) {
   const std::size_t count = result.transfer.shape.length();
   std::string bytes;
@@ -183,7 +178,7 @@ std::string bake_key(const Scene& scene, const std::string& instruction_set, con
                                 {"faces", scene.mesh.faces.size()},
                                 {"mesh", checksums_of(scene.mesh).rays},
                                 {"open_vertices", std::count(open.begin(), open.end(), 1)},
-                                {"open", fmt::format("{:016x}", checksum_of(open))},
+                                {"open", checksum_text(checksum_of(open))},
                                 {"transfer", kind->word},
                                 {"degree", degree},
                                 {"directions", directions},

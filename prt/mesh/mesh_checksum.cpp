@@ -1,7 +1,5 @@
 #include "prt/mesh/mesh_checksum.hpp"
 
-#include <fmt/core.h>
-
 #include <array>
 #include <vector>
 
@@ -11,15 +9,10 @@ namespace sh::prt {
 
 namespace {
 
-template <class T>
-std::uint64_t sum_of(const std::vector<T>& values) {
-  return checksum(values.data(), values.size() * sizeof(T));
-}
-
 template <class... Vectors>
 std::string sum_of_all(const Vectors&... vectors) {
-  const std::array<std::uint64_t, sizeof...(Vectors)> parts = {sum_of(vectors)...};
-  return fmt::format("{:016x}", checksum(parts.data(), sizeof parts));
+  const std::array<std::uint64_t, sizeof...(Vectors)> parts = {checksum_of(vectors)...};
+  return checksum_text(checksum(parts.data(), sizeof parts));
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ Plan plan_from(const std::string& file, const nlohmann::json& json, std::size_t 
 std::string plan_checksum(nlohmann::json plan) {
   plan.erase(kChecksumKey);
   const std::string text = plan.dump();
-  return fmt::format("{:016x}", checksum(text.data(), text.size()));
+  return checksum_text(checksum(text.data(), text.size()));
 }
 
 void write_plan(const std::string& file, const Plan& plan, const Scene& scene, const std::string& mesh) {
