@@ -77,7 +77,7 @@ BetweenVertices measure_between_vertices(const Scene& scene, const std::string& 
     control_with_unshadowed(rows.gatherer().gather(v), direct.size(), direct.data());
     rows.meet(v);
     if (setup.mirrors.any()) rows.add_sky(scene.bake.degree, direct.data());
-    const FormFactorRow row = rows.row();
+    const FormFactorRow row = rows.row(v);
     const ReceiversAt around = setup.receivers.at(center(faces[i]));
     for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) {
       const auto of = [&](std::size_t q) { return as_array(x.row(q) + layout.channel(c), layout.count); };

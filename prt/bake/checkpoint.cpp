@@ -185,6 +185,7 @@ std::string bake_key(const Scene& scene, const std::string& instruction_set, con
                                 {"sampler", name_of(sampler)},
                                 {"seed", seed},
                                 {"instruction_set", instruction_set}};
+  if (const int fewer = scene.bake.fewer_for_bounces(); fewer > 0) key["bounce_directions"] = fewer;
   if (!points.empty()) key["points"] = points;
   return key.dump();
 }

@@ -24,8 +24,16 @@ std::array<double, 4> shares_of(const Hit& hit, const ReceiversAt& place) {
 
 }  // namespace
 
-void RowTracer::meet(std::size_t vertex) {
-  const std::vector<BlockedRay>& closest = gatherer_.closest_hits();
+std::optional<SharedDirections> RaySetup::for_bounces(BakeOptions options) {
+  const int fewer = options.fewer_for_bounces();
+  if (fewer == 0) return std::nullopt;
+  options.directions = fewer;
+  options.degree = 0;
+  return SharedDirections(options);
+}
+
+void RowTracer::follow(Gatherer& gatherer, std::size_t vertex) {
+  const std::vector<BlockedRay>& closest = gatherer.closest_hits();
   met_ = closest;
   if (!setup_.mirrors.any()) return;
   legs_.clear();
@@ -51,8 +59,12 @@ float RowTracer::add_sky(int degree, float* transfer) const {
   return static_cast<float>(whole);
 }
 
-FormFactorRow RowTracer::row() {
+FormFactorRow RowTracer::row(std::size_t vertex) {
   const Mesh& mesh = setup_.mesh;
+  if (apart_) {
+    apart_->gather(vertex);
+    follow(*apart_, vertex);
+  }
   FormFactorRow row;
   for (const BlockedRay& ray : met_) {
     if (ray.hit.face == Hit::kNothing) continue;  // it just misses the face that the shadow ray hit; the light is lost
@@ -75,9 +87,11 @@ FormFactorRow RowTracer::row() {
 
 RowMaker make_row_maker(const RaySetup& setup) {
   return [tracer = std::make_shared<RowTracer>(setup)](std::size_t vertex) {
-    tracer->gatherer().gather(vertex);
-    tracer->meet(vertex);
-    return tracer->row();
+    if (!tracer->has_own_directions()) {
+      tracer->gatherer().gather(vertex);
+      tracer->meet(vertex);
+    }
+    return tracer->row(vertex);
   };
 }
 

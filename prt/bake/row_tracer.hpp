@@ -2,6 +2,7 @@
 // factors. Mirrors are gray: only the first channel of a reflectance counts (prt/bake/bake.cpp handles colored mirrors).
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,10 +21,15 @@ struct RaySetup {
       : mesh(the_mesh),
         shared(std::make_shared<Tracer>(mesh, threads, instruction_set)),
         directions(options),
+        bounce_directions(for_bounces(options)),
         starts(ray_starts(mesh)) {}
   /// Other directions for the same mesh.
   RaySetup(const RaySetup& same, const BakeOptions& options)
-      : mesh(same.mesh), shared(same.shared), directions(options), starts(same.starts) {}
+      : mesh(same.mesh),
+        shared(same.shared),
+        directions(options),
+        bounce_directions(for_bounces(options)),
+        starts(same.starts) {}
   /// Other receivers than the vertices of the mesh, of this shape: points of space.
   RaySetup(const Mesh& the_mesh, const BakeOptions& options, const TransferShape& traced, std::vector<RayStart> points,
            int threads, const std::string& instruction_set)
@@ -40,7 +46,11 @@ struct RaySetup {
   MirrorPaths mirrors{mesh, tracer};
   SurfaceReceivers receivers{mesh};
   SharedDirections directions;
+  std::optional<SharedDirections> bounce_directions;  // those of form factors, where they are others
   std::vector<RayStart> starts;
+
+ private:
+  static std::optional<SharedDirections> for_bounces(BakeOptions options);
 };
 
 /// The reusable buffers of one thread. The setup must outlive it.
@@ -49,23 +59,31 @@ class RowTracer {
   explicit RowTracer(const RaySetup& setup)
       : setup_(setup),
         gatherer_(setup.mesh, setup.starts, setup.tracer, setup.directions),
-        sums_(setup.mesh.positions.size(), 0.0) {}
+        sums_(setup.mesh.positions.size(), 0.0) {
+    if (setup.bounce_directions) apart_.emplace(setup.mesh, setup.starts, setup.tracer, *setup.bounce_directions);
+  }
 
   [[nodiscard]] Gatherer& gatherer() { return gatherer_; }
   /// Finds the closest hits of the rays that the last gather(vertex) found blocked, and follows their mirror paths.
-  void meet(std::size_t vertex);
+  void meet(std::size_t vertex) { follow(gatherer_, vertex); }
   /// Adds the sky that meet() found in mirrors to a transfer vector (bands^2); returns its part of the cosine. A path
   /// that leaves the scene in direction s adds (its part of the cosine) * (product of the reflectances) * Y(s).
   float add_sky(int degree, float* transfer) const;
   /// The part of the cosine that meet() left out where it cut paths.
   [[nodiscard]] double cut() const { return cut_; }
-  /// Merges the hits of meet() into a row of the form factors: the receivers between which light is interpolated there. Surfaces are one-sided: a face that a ray hits from
-  /// behind is black.
-  FormFactorRow row();
+  /// The vertex's row of the form factors: the hits of meet(vertex), or of the directions of bounces, merged at the
+  /// receivers between which light is interpolated there. Surfaces are one-sided: a face that a ray hits from behind is
+  /// black. Call it last: where bounces have their own directions, it replaces what meet() found.
+  FormFactorRow row(std::size_t vertex);
+  /// True if row() needs no meet().
+  [[nodiscard]] bool has_own_directions() const { return apart_.has_value(); }
 
  private:
+  void follow(Gatherer& gatherer, std::size_t vertex);
+
   const RaySetup& setup_;
   Gatherer gatherer_;
+  std::optional<Gatherer> apart_;  // along the directions of bounces, where they are others
   std::vector<Leg> legs_;
   std::vector<BlockedRay> met_;  // at the ends of all paths, with the remaining parts of the cosine
   std::vector<BlockedRay> sky_;

@@ -63,13 +63,14 @@ void ShadowPass::trace(std::size_t vertex, Worker& worker) {
   float* row = result_.transfer.row(vertex);
   control_with_unshadowed(seen, result_.transfer.shape.count(), row);
   float fraction = seen.fraction();
-  if (setup_.mirrors.any() || result_.factors != nullptr) rows.meet(vertex);
+  const bool needs_hits = result_.factors != nullptr && !rows.has_own_directions();
+  if (setup_.mirrors.any() || needs_hits) rows.meet(vertex);
   if (setup_.mirrors.any()) {
     fraction += rows.add_sky(result_.transfer.degree(), row);
     const bool is_black = setup_.mesh.albedo[vertex].isZero(0.0F);  // mirrors, for instance; they do not show it
     if (!is_black) worker.largest_cut = std::max(worker.largest_cut, rows.cut());
   }
-  if (result_.factors != nullptr) result_.factors->keep(vertex, rows.row());
+  if (result_.factors != nullptr) result_.factors->keep(vertex, rows.row(vertex));
   result_.sight[vertex] = rows.gatherer().sight(vertex, fraction);
 }
 

@@ -165,6 +165,7 @@ void add_bounces(BakeRun& run) {
   const BounceLayout layout{transfer.shape.count() + emitted, emitted};
   Panel x = direct_light(scene.mesh, transfer, layout);
   transfer.bounces = solve_bounces(*run.factors, scene.mesh.albedo, layout, x, scene.bake.bounces);
+  transfer.bounces.directions = static_cast<std::uint32_t>(scene.bake.fewer_for_bounces());
   if (!run.settings.ranks.is_first()) return;
   check_bounces(run);
   if (!is_late(scene.bake.bounces)) {

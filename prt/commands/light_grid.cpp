@@ -8,10 +8,10 @@
 #include <stdexcept>
 
 #include "numeric/plot/canvas.hpp"
+#include "prt/angles.hpp"
 #include "prt/image/tone_map.hpp"
 #include "prt/light/light_shapes.hpp"
 #include "prt/mesh/corners.hpp"
-#include "prt/rays/directions.hpp"
 #include "prt/runtime/relight.hpp"
 #include "prt/runtime/render.hpp"
 
@@ -63,7 +63,7 @@ Light cap_of(const LightGrid& grid, double half_angle) {
 /// Exit radiance under a cap by shadow rays to points of equal solid angle, without any cut of degree.
 Surface lit_by_points(const Mesh& mesh, const Tracer& tracer, const Light& cap) {
   std::vector<Eigen::Vector3f> towards;
-  const Eigen::Matrix3f frame = frame_about(cap.spec.direction.cast<float>());
+  const Eigen::Matrix3f frame = frame_about(cap.spec.direction.cast<float>().eval());
   for (int i = 0; i < kPointsOfLight; ++i) {  // spherical Fibonacci points [SwinbankPurser06], of the cap alone
     const double z = 1.0 - cap.spec.one_minus_cos * (i + 0.5) / kPointsOfLight;
     const double azimuth = 2.0 * std::numbers::pi * std::numbers::phi * i;

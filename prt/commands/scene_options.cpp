@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "prt/plan/plan.hpp"
+#include "prt/rays/directions.hpp"
 
 namespace sh::prt {
 
@@ -25,6 +26,11 @@ void SceneOptions::add_to(CLI::App& command) {
       ->required();
   command.add_option("--degree", degree, "SH degree, 0 to 10, instead of the scene's");
   command.add_option("--directions", directions, "directions over the whole sphere, instead of the scene's");
+  command
+      .add_option(
+          "--bounce-directions", bounce_directions,
+          "directions along which diffuse surfaces see each other, fewer than for shadows; instead of the scene's")
+      ->check(CLI::Range(1, kMaxDirections));
   command.add_option("--sampler", sampler, "method that chooses the directions, instead of the scene's")
       ->check(words(kSamplerNames));
   command.add_option("--seed", seed, "seed of all samplers except fibonacci, instead of the scene's")
@@ -54,13 +60,19 @@ void SceneOptions::add_to(CLI::App& command) {
 }
 
 std::vector<std::string> SceneOptions::given() const {
-  const std::pair<bool, const char*> all[] = {
-      {degree.has_value(), "--degree"},   {directions.has_value(), "--directions"},
-      {!sampler.empty(), "--sampler"},    {seed.has_value(), "--seed"},
-      {!kind.empty(), "--kind"},          {!compress.empty(), "--compress"},
-      {compress_auto, "--compress-auto"}, {fit_lobes, "--fit-lobes"},
-      {!plan.empty(), "--plan"},          {error.has_value(), "--error"},
-      {!turns.empty(), "--light-turns"},  {!without.empty(), "--without"}};
+  const std::pair<bool, const char*> all[] = {{degree.has_value(), "--degree"},
+                                              {directions.has_value(), "--directions"},
+                                              {bounce_directions.has_value(), "--bounce-directions"},
+                                              {!sampler.empty(), "--sampler"},
+                                              {seed.has_value(), "--seed"},
+                                              {!kind.empty(), "--kind"},
+                                              {!compress.empty(), "--compress"},
+                                              {compress_auto, "--compress-auto"},
+                                              {fit_lobes, "--fit-lobes"},
+                                              {!plan.empty(), "--plan"},
+                                              {error.has_value(), "--error"},
+                                              {!turns.empty(), "--light-turns"},
+                                              {!without.empty(), "--without"}};
   std::vector<std::string> names;
   for (const auto& [is_given, name] : all) {
     if (is_given) names.emplace_back(name);
@@ -87,6 +99,7 @@ void SceneOptions::apply_to(Scene& loaded) const {
   BakeOptions& bake = loaded.bake;
   bake.degree = degree.value_or(bake.degree);
   bake.directions = directions.value_or(bake.directions);
+  bake.bounces.directions = bounce_directions.value_or(bake.bounces.directions);
   bake.sampler = value_called<Sampler>(sampler, kSamplerNames).value_or(bake.sampler);
   bake.seed = seed.value_or(bake.seed);
   if (!kind.empty()) bake.kind = find_kind(&TransferKind::word, kind);

@@ -14,6 +14,7 @@ struct SceneOptions {
   std::string scene;
   std::optional<int> degree;
   std::optional<int> directions;
+  std::optional<int> bounce_directions;
   std::string sampler;
   std::optional<std::uint32_t> seed;
   std::string kind;

@@ -16,10 +16,9 @@ class Bytes final : public Imf::OStream {
  public:
   explicit Bytes(std::string& bytes) : Imf::OStream("memory"), bytes_(bytes) {}
   void write(const char* data, int count) override {
-    const std::size_t end = place_ + static_cast<std::size_t>(count);
-    if (bytes_.size() < end) bytes_.resize(end);
-    bytes_.replace(place_, static_cast<std::size_t>(count), data, static_cast<std::size_t>(count));
-    place_ = end;
+    const auto size = static_cast<std::size_t>(count);
+    bytes_.replace(place_, size, data, size);  // longer, if it is written behind its end
+    place_ += size;
   }
   std::uint64_t tellp() override { return place_; }
   void seekp(std::uint64_t place) override { place_ = place; }

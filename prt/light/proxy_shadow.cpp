@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "numeric/oracle/quadrature.hpp"
+#include "prt/angles.hpp"
 #include "prt/basis.hpp"
 #include "prt/light/light_shapes.hpp"
 
@@ -77,8 +78,7 @@ LightCoefficients shadowed_by_cap(const LightCoefficients& light, const Eigen::V
     throw std::invalid_argument(fmt::format("a cap's direction: expected length 1, got {}", direction.norm()));
   }
   if (one_minus_cos == 0.0) return light;
-  const Eigen::Matrix3d to_pole =
-      Eigen::Quaterniond::FromTwoVectors(direction, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d to_pole = frame_about(direction).transpose();
   return turned(without_polar_cap(turned(light, to_pole), one_minus_cos), to_pole.transpose());
 }
 

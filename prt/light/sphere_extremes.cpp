@@ -64,7 +64,8 @@ class Descent {
       curvature.col(i) = frame.transpose() * (gradient(ahead) - gradient(behind)) / (2.0 * kDifference);
     }
     const Eigen::Vector2d slope = frame.transpose() * gradient(d);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(0.5 * (curvature + curvature.transpose()));
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+    solver.computeDirect(0.5 * (curvature + curvature.transpose()));
     const Eigen::Vector2d along = solver.eigenvectors().transpose() * slope;
     const double least = 1e-6 * solver.eigenvalues().cwiseAbs().maxCoeff();
     Eigen::Vector2d step = Eigen::Vector2d::Zero();

@@ -1,9 +1,10 @@
 #include "prt/material/lobe_fit.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "prt/material/lobe.hpp"
@@ -15,6 +16,8 @@ namespace sh::prt {
 namespace {
 
 constexpr std::size_t kTableRow = even_count(kMaxDegree);
+constexpr double kAlike = 1e-15;                                 // sine^2 of the angle between lobes that are one
+constexpr double kNothing = std::numeric_limits<double>::min();  // square of no lobe
 
 // The coefficients with m >= 0 of all views one under another, times the root of the weight of their view.
 using Stacked = Eigen::VectorXd;
@@ -60,12 +63,17 @@ class Views {
 
 // The two shares, not negative, with the least squares of `target` - first x - second y.
 Eigen::Vector2d shares_of(const Stacked& target, const Stacked& first, const Stacked& second) {
-  Eigen::Matrix2d products;
-  products << first.dot(first), first.dot(second), first.dot(second), second.dot(second);
+  const Eigen::Vector2d squares(first.squaredNorm(), second.squaredNorm());
+  const double both = first.dot(second);
   const Eigen::Vector2d sides(first.dot(target), second.dot(target));
-  Eigen::Vector2d free = products.completeOrthogonalDecomposition().solve(sides);
-  if (free.minCoeff() >= 0.0) return free;
-  const Eigen::Vector2d alone = sides.cwiseMax(0.0).cwiseQuotient(products.diagonal());
+  const double determinant = squares.prod() - both * both;
+  if (determinant > kAlike * squares.prod()) {
+    const Eigen::Vector2d free =
+        Eigen::Vector2d(squares.y() * sides.x() - both * sides.y(), squares.x() * sides.y() - both * sides.x()) /
+        determinant;
+    if (free.minCoeff() >= 0.0) return free;
+  }
+  const Eigen::Vector2d alone = sides.cwiseMax(0.0).cwiseQuotient(squares.cwiseMax(kNothing));
   const Eigen::Vector2d gains = alone.cwiseProduct(sides);  // of squares
   return gains.x() >= gains.y() ? Eigen::Vector2d(alone.x(), 0.0) : Eigen::Vector2d(0.0, alone.y());
 }

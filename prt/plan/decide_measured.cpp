@@ -251,10 +251,47 @@ double floor_of_directions(Draft& draft) {
   return floor;
 }
 
+// Fewer directions for bounces make errors that more directions for shadows balance. What both cost together decides.
+void decide_hits(Draft& draft) {
+  constexpr double kBounceCost = 6.0;  // of a direction's hits in all bounces, over the rays of a direction
+  const int asked = draft.bake.directions;
+  const auto as_asked = [&](const char* why) {
+    draft.bounce_part = 1;
+    draft.decide("hits",
+                 draft.bake.fewer_for_bounces() > 0
+                     ? fmt::format("of {} directions as requested", draft.bake.bounces.directions)
+                     : std::string("of all directions"),
+                 why);
+  };
+  if (!draft.bake.kind->has_form_factors()) {
+    return draft.decide("hits", "none", "without bounces there are none");
+  }
+  if (draft.shines()) return as_asked("the measurement does not see the light of surfaces");
+  const double hits = kBounceCost * draft.blocked();
+  int best = 1;
+  double least = 0.0;
+  for (const int part : {1, 4, 8}) {
+    draft.bounce_part = part;
+    const int directions = draft.allows("directions") ? draft.fewest_directions_within(draft.options.error) : asked;
+    const int fewer = draft.along(directions).fewer_for_bounces();
+    if (part > 1 && (fewer == 0 || draft.error_along(directions) > draft.options.error)) continue;
+    const double cost = directions + hits * (fewer > 0 ? fewer : directions);
+    if (part == 1 || cost < least) std::tie(best, least) = std::pair(part, cost);
+  }
+  if (best == 1) return as_asked("fewer would need more directions for shadows, and save less");
+  draft.bounce_part = 1;
+  const double without = draft.error_along(asked);
+  draft.bounce_part = best;
+  draft.bake.bounces.directions = draft.bounces_along(asked);
+  draft.decide("hits", fmt::format("of one direction in {}", best),
+               "light that bounces is smooth; the error of all decisions together stays within the limit",
+               std::max(0.0, draft.error_along(asked) - without), "measured");
+}
+
 void decide_directions(Draft& draft) {
   const int asked = draft.bake.directions;
-  draft.bake.directions =
-      fewest_directions([&](int directions) { return draft.error_along(directions); }, asked, draft.options.error);
+  draft.bake.directions = draft.fewest_directions_within(draft.options.error);
+  if (draft.bounce_part > 1) draft.bake.bounces.directions = draft.bounces_along(draft.bake.directions);
   const bool fewer = draft.bake.directions < asked;
   draft.decide(
       "directions",

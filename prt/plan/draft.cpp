@@ -52,17 +52,19 @@ void Draft::decide(std::string_view name, std::string choice, std::string why, d
 }
 
 // A bake traces the directions above the horizons of both normals, and once more those that are blocked, if their closest
-// hits matter.
+// hits matter. Bounces may have directions of their own.
 PlanCost Draft::cost() const {
-  const bool always = bake.kind->has_bounces() || has_mirrors();
+  const int fewer = bake.fewer_for_bounces();
+  const bool always = (bake.kind->has_bounces() && fewer == 0) || has_mirrors();
   double rays = 0.0;
   for (std::size_t v = 0; v < starts.size(); ++v) {
     if (plan.open[v] != 0) continue;
-    const bool again = measurement && (always || measurement->is_nearly_dark(v));
-    rays += upward_[v] * (again ? 1.0 + measurement->blocked(v) : 1.0);
+    const double again = measurement ? 1.0 + measurement->blocked(v) : 1.0;
+    const bool all_again = measurement && (always || measurement->is_nearly_dark(v));
+    rays += upward_[v] * (static_cast<double>(bake.directions) * (all_again ? again : 1.0) + fewer * again);
   }
   return {static_cast<std::int64_t>(stored_shape(clusters).stored_bytes(starts.size())),
-          std::llround(correction_ * rays * static_cast<double>(bake.directions))};
+          std::llround(correction_ * rays)};
 }
 
 TransferShape Draft::shape() const {
@@ -95,7 +97,24 @@ double Draft::gain() const {
 BakeOptions Draft::along(int directions) const {
   BakeOptions other = bake;
   other.directions = directions;
+  if (bounce_part > 1) other.bounces.directions = bounces_along(directions);
   return other;
+}
+
+int Draft::bounces_along(int directions) const {
+  constexpr int kLeast = 16;
+  const int few = std::max(kLeast, directions / bounce_part);
+  return asked.bounces.directions > 0 ? std::min(few, asked.bounces.directions) : few;
+}
+
+int Draft::fewest_directions_within(double limit) const {
+  return fewest_directions([this](int directions) { return error_along(directions); }, asked.directions, limit);
+}
+
+double Draft::blocked() const {
+  double sum = 0.0;
+  for (std::size_t v = 0; v < starts.size(); ++v) sum += measurement->blocked(v);
+  return sum / static_cast<double>(starts.size());
 }
 
 double Draft::error_along(int directions) const {

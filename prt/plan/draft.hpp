@@ -34,6 +34,7 @@ struct Draft {
   Measurement::Radiances reference;  // of the probe after the asked bake along many directions
   double unconverged = 0.0;          // error of `reference` itself, as the asked directions tell
   double loosened = 0.0;             // bound on the error of a looser tolerance than asked
+  int bounce_part = 1;               // directions of the bake for each that bounces have
   double room_for_clusters = 0.0;    // error that the bake may make by clusters
   ClusterCounts clusters;            // as far as decided: the most that a bake may make
 
@@ -73,9 +74,15 @@ struct Draft {
   [[nodiscard]] RowShape traced_shape() const { return {*bake.kind, scene.mesh, asked.degree}; }
   /// The current bake, along other directions.
   [[nodiscard]] BakeOptions along(int directions) const;
+  /// The directions of its form factors then.
+  [[nodiscard]] int bounces_along(int directions) const;
   /// The stated error of the plan so far with this many directions; that of the directions themselves counts only if the
   /// user does not skip this decision.
   [[nodiscard]] double error_along(int directions) const;
+  /// The fewest directions, at most the asked ones, for which that error is within the limit; the asked ones if none is.
+  [[nodiscard]] int fewest_directions_within(double limit) const;
+  /// The part of the cosine that is blocked, the mean of the vertices.
+  [[nodiscard]] double blocked() const;
   /// The error of the reference itself: what remains of that of fewer directions, by the rate at which they converge, or
   /// of the asked ones, if that is more.
   [[nodiscard]] double error_of_reference(int directions, double error) const;
@@ -102,6 +109,8 @@ double measured_error_of(const Draft& draft, Element element);
 /// Only where the scene asks for clusters: makes room for their error, if they take fewer bytes than rows. The bake finds
 /// the error of each of the counts.
 void decide_clusters(Draft& draft);
+/// Fewer directions for the form factors, a part of those for shadows, if the bake then costs less for the same error.
+void decide_hits(Draft& draft);
 /// The error of the requested number of directions alone, which the budget reserves; throws if it exceeds the budget.
 double floor_of_directions(Draft& draft);
 /// The fewest directions for which the error is within the limit, `asked` at most: doubled until it is, then between the

@@ -295,6 +295,7 @@ double Measurement::error(const Radiances& difference) const {
 
 BakeOptions Measurement::reference_options(BakeOptions options) const {
   options.directions = std::min(kMaxDirections, std::max(kReference, 4 * scene_.bake.directions));
+  options.bounces.directions = 0;
   options.seed ^= kReferenceSeed;
   return options;
 }

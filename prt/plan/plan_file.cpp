@@ -48,6 +48,7 @@ Json to_json(const BakeOptions& bake) {
   Json json = {{"degree", bake.degree},      {"directions", bake.directions}, {"sampler", name_of(bake.sampler)},
                {"seed", bake.seed},          {"transfer", bake.kind->word},   {"tolerance", bake.bounces.tolerance},
                {"fit_lobes", bake.fit_lobes}};
+  if (bake.bounces.directions > 0) json["bounce_directions"] = bake.bounces.directions;
   if (bake.kind->stores_visibility()) json["keep"] = to_json(bake.keep.within(bake.degree), *bake.kind);
   if (bake.compress_by_plan) {
     json["compress"] = "auto";

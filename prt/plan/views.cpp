@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "prt/angles.hpp"
 #include "prt/chunks.hpp"
-#include "prt/rays/directions.hpp"
 
 namespace sh::prt {
 

@@ -54,15 +54,4 @@ std::vector<Eigen::Vector3f> make_directions(Sampler sampler, int count, std::ui
   return directions;
 }
 
-Eigen::Matrix3f frame_about(const Eigen::Vector3f& normal) {
-  const float sign = std::copysign(1.0F, normal.z());
-  const float a = -1.0F / (sign + normal.z());
-  const float b = normal.x() * normal.y() * a;
-  Eigen::Matrix3f frame;
-  frame.col(0) << 1.0F + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x();
-  frame.col(1) << b, sign + normal.y() * normal.y() * a, -normal.y();
-  frame.col(2) = normal;
-  return frame;
-}
-
 }  // namespace sh::prt

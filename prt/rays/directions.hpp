@@ -20,7 +20,4 @@ inline constexpr int kMaxDirections = 1 << 20;
 /// std::invalid_argument unless 1 <= count <= kMaxDirections.
 std::vector<Eigen::Vector3f> make_directions(Sampler sampler, int count, std::uint32_t seed = 0);
 
-/// A rotation whose third column is `normal`, |normal| = 1, without a branch [Duff17].
-Eigen::Matrix3f frame_about(const Eigen::Vector3f& normal);
-
 }  // namespace sh::prt

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "numeric/output/progress.hpp"
+#include "prt/angles.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 #include "prt/light/light_coefficients.hpp"

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "prt/angles.hpp"
 #include "prt/chunks.hpp"
 #include "prt/image/environment.hpp"
 #include "prt/rays/mirror_paths.hpp"
@@ -30,7 +31,7 @@ bool is_small(const Light& light) {
 std::vector<Eigen::Vector3f> cap_directions(const Light& light) {
   const Eigen::Vector3d middle = light.rotation * light.spec.direction;
   if (light.spec.type == LightType::kDirectional) return {middle.cast<float>()};
-  const Eigen::Matrix3d axes = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), middle).toRotationMatrix();
+  const Eigen::Matrix3d axes = frame_about(middle);
   const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
   std::vector<Eigen::Vector3f> directions;
   for (int k = 0; k < kCapRays; ++k) {

@@ -22,6 +22,9 @@ struct BounceOptions {
   int most_applications = 1000;  // of K; beyond this limit the result is marked as not certified
   /// No application begins after this time; the certified bound may then be above the tolerance.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
+  /// Directions over the whole sphere along which form factors are found, at most those of the bake; 0: as many. Light
+  /// that bounces needs fewer than shadows do.
+  int directions = 0;
 };
 
 inline constexpr int kMaxSeed = 2147483647;
@@ -37,6 +40,11 @@ struct BakeOptions {
   ClusterCounts compress = {};    // without clusters: rows as they are
   bool compress_by_plan = false;  // in place of `compress`: a plan with an error chooses the counts
   bool fit_lobes = false;         // glossy kinds only: lobes in place of BRDFs
+
+  /// The directions of form factors, if the kind has them and they are fewer than those of the bake; else 0.
+  [[nodiscard]] int fewer_for_bounces() const {
+    return kind->has_form_factors() && bounces.directions < directions ? bounces.directions : 0;
+  }
 };
 
 /// The rotations that the declared lights, as a whole, may later get.
@@ -45,8 +53,8 @@ enum class LightTurns { kNone, kAboutZ, kAny };
 inline constexpr std::array<std::string_view, 3> kLightTurnsNames = {"none", "about_z", "any"};
 constexpr std::string_view name_of(LightTurns turns) { return word_of(turns, kLightTurnsNames); }
 
-inline constexpr std::array<std::string_view, 9> kDecisionNames = {
-    "analytic", "bounces", "channels", "bands", "matrices", "visibility", "symmetry", "storage", "directions"};
+inline constexpr std::array<std::string_view, 10> kDecisionNames = {
+    "analytic", "bounces", "channels", "bands", "matrices", "visibility", "symmetry", "storage", "hits", "directions"};
 
 /// kExact: leaves out only work that changes no number under any light. kLossy: also leaves out numbers, as long as the
 /// error under the declared lights stays within `PlanOptions::error`.

@@ -92,13 +92,15 @@ KeptBands read_kept_bands(const JsonReader& reader) {
 }  // namespace
 
 BakeOptions read_bake_options(const JsonReader& reader) {
-  reader.allow({"degree", "directions", "sampler", "seed", "transfer", "tolerance", "keep", "compress", "fit_lobes"});
+  reader.allow({"degree", "directions", "sampler", "seed", "transfer", "tolerance", "bounce_directions", "keep",
+                "compress", "fit_lobes"});
   BakeOptions options;
   reader.take("degree", options.degree, &JsonReader::integer, 0, kMaxDegree);
   reader.take("directions", options.directions, &JsonReader::integer, 1, kMaxDirections);
   reader.take_word("sampler", options.sampler, kSamplerNames);
   reader.take("seed", options.seed, &JsonReader::integer, 0, kMaxSeed);
   reader.take("tolerance", options.bounces.tolerance, &JsonReader::number, 1e-9, 1.0, "a number from 1e-9 to 1");
+  reader.take("bounce_directions", options.bounces.directions, &JsonReader::integer, 1, kMaxDirections);
   reader.take("transfer", options.kind, [](const JsonReader& value) {
     return find_kind(&TransferKind::word, value.one_of(kind_names(&TransferKind::word)));
   });

@@ -12,6 +12,7 @@
 
 #include "generated/cpp/evaluate.hpp"
 #include "numeric/output/progress.hpp"
+#include "prt/angles.hpp"
 #include "prt/chunks.hpp"
 #include "prt/material/reflected.hpp"
 #include "prt/mesh/corners.hpp"
@@ -131,7 +132,7 @@ class PathTracer {
     const float cosine = std::pow(uniform(random), 1.0F / (exponent + 1.0F));
     const float sine = std::sqrt(std::max(0.0F, 1.0F - cosine * cosine));
     const Eigen::Vector3f local(sine * std::cos(azimuth), sine * std::sin(azimuth), cosine);
-    return Eigen::Quaternionf::FromTwoVectors(Eigen::Vector3f::UnitZ(), axis) * local;
+    return frame_about(axis) * local;
   }
 
   static bool survives(Path& path, std::mt19937& random) {

@@ -44,7 +44,7 @@ Direct trace_mesh(const StudySetup& setup, const BakeOptions& options) {
     const Gathered& seen = tracer.gatherer().gather(v);
     control_with_unshadowed(seen, count, transfer.data() + v * count);
     tracer.meet(v);
-    direct.factors.keep(v, tracer.row());
+    direct.factors.keep(v, tracer.row(v));
     sight[v] = tracer.gatherer().sight(v, seen.fraction());
     progress.advance();
   });

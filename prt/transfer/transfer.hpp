@@ -67,6 +67,7 @@ struct BounceReport {
   /// Not certified but measured: how far light between vertices is from its interpolation, rms over rms
   /// (prt/bake/between_vertices.hpp). 0 where it was not measured.
   double between_vertices = 0.0;
+  std::uint32_t directions = 0;  // of the form factors; 0: those of the transfer
 };
 
 /// The requested settings that a time limit did not allow (prt/bake/estimate.hpp).

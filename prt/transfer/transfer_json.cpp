@@ -82,6 +82,7 @@ Json to_json(const BounceReport& report) {
                {"residual", report.residual},
                {"largest", report.largest},
                {"spectral_bound", report.spectral_bound}};
+  if (report.directions > 0) json["directions"] = report.directions;
   if (report.between_vertices > 0.0) json["between_vertices"] = report.between_vertices;
   if (report.emitted_largest > 0.0) {
     json["emitted_bound"] = bound_or_null(report, report.emitted_bound);
@@ -100,6 +101,7 @@ BounceReport bounces_from(const nlohmann::json& json) {
   report.spectral_bound = amount_from(json.at("spectral_bound"));
   report.bound = bound_from(report, json.at("bound"));
   if (json.contains("emitted_largest")) report.emitted_largest = amount_from(json.at("emitted_largest"));
+  if (json.contains("directions")) report.directions = whole_from<std::uint32_t>(json.at("directions"));
   if (json.contains("between_vertices")) report.between_vertices = amount_from(json.at("between_vertices"));
   if (json.contains("emitted_bound")) report.emitted_bound = bound_from(report, json.at("emitted_bound"));
   return report;

@@ -8,6 +8,7 @@
 
 #include "numeric/oracle/quadrature.hpp"
 #include "numeric/oracle/zonal.hpp"
+#include "prt/angles.hpp"
 #include "prt/basis.hpp"
 #include "prt/material/measured.hpp"
 #include "prt/material/microfacet.hpp"
@@ -256,8 +257,8 @@ TEST(Reflectance, TurnsWithTheSurface) {
     Material material{.albedo = {0.7F, 0.5F, 0.2F}, .brdf = {made.table.data()}};
     const Eigen::Vector3f seen = exit_radiance(material, 4, reaching.data(), normal.cast<float>(), eye.cast<float>());
     // The frame of the surface, where the integral is taken.
-    const Eigen::Quaterniond to_world = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), normal);
-    const Vector3d local_eye = to_world.inverse() * eye;
+    const Eigen::Matrix3d to_world = frame_about(normal);
+    const Vector3d local_eye = to_world.transpose() * eye;
     for (Eigen::Index c = 0; c < 3; ++c) {
       const double expected = over_hemisphere([&](const Vector3d& s) {
         const Vector3d world = to_world * s;

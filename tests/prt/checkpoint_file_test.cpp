@@ -215,6 +215,49 @@ TEST_F(CheckpointBytes, LieInAFileThatCanBeWritten) {
   EXPECT_EQ(message_of([&] { file.append(0, "x"); }), nowhere + ": cannot write: No such file or directory");
 }
 
+// As parts of a bake that are only read.
+TEST_F(CheckpointBytes, ThatAreOnlyReadStayAsTheyAre) {
+  const auto said = [&](const std::string& path) {
+    const std::string message = message_of([&] { CheckpointFile::for_reading(path, kKey); });
+    EXPECT_TRUE(message.empty() || message.rfind(path + ": ", 0) == 0) << message;
+    return message.substr(message.empty() ? 0 : path.size() + 2);
+  };
+  const auto of = [&](const std::string& bytes) {
+    write_all(path_, bytes);
+    const std::string message = said(path_);
+    EXPECT_EQ(read_all(path_), bytes);
+    return message;
+  };
+  const std::string none = "no part of a bake; expected a file that `prt bake --shard` made";
+  EXPECT_EQ(said(path_), "cannot open: No such file or directory");
+  EXPECT_EQ(said(folder_.path().string()), none);
+  EXPECT_EQ(of("text that is no part of a bake"), none);
+  EXPECT_EQ(of(""), none);
+  const std::string front = front_of(kKey);
+  EXPECT_EQ(of(front), "");  // no record yet
+  for (const std::size_t size : {std::size_t{8}, kPrologue - 1, kPrologue, front.size() - 1}) {
+    EXPECT_EQ(of(front.substr(0, size)), "damaged: it ends within its key") << size;
+  }
+  std::string changed = front;
+  changed[kPrologue + 2] ^= 1;
+  EXPECT_EQ(of(changed), "damaged: the checksum of its key differs");
+  EXPECT_EQ(of(front_of(kKey, 4)), "part of version 4, expected 3; bake it again");
+  EXPECT_EQ(of(front_of(R"({"degree":2,"seed":8})")),
+            "part of another bake: its seed is 8, here it is 7; expected the parts of one bake");
+
+  write_all(path_, front + "a torn record");
+  {
+    CheckpointFile one = CheckpointFile::for_reading(path_, kKey);
+    CheckpointFile another = CheckpointFile::for_reading(path_, kKey);
+    for (CheckpointFile* file : {&one, &another}) {
+      file->read([](std::uint32_t, std::string_view) { ADD_FAILURE() << "a record that is not there"; });
+    }
+  }
+  EXPECT_EQ(read_all(path_), front + "a torn record");
+  const CheckpointFile writer(path_, kKey, false);
+  EXPECT_EQ(said(path_), "in use by another bake; wait for it");
+}
+
 TEST_F(CheckpointBytes, ThatVanishWhileTheyAreReadAreNotInvented) {
   append(kRecords);
   CheckpointFile file(path_, kKey, false);

@@ -383,6 +383,7 @@ TEST(BakeKey, ChangesWithAllThatRaysDependOnAndWithNothingElse) {
       [](Scene&, auto& o) { std::swap(o.front(), o.back()); },
       [](Scene& s, auto&) { s.bake.degree = 3; },
       [](Scene& s, auto&) { s.bake.directions = 1025; },
+      [](Scene& s, auto&) { s.bake.bounces.directions = 1023; },
       [](Scene& s, auto&) { s.bake.sampler = Sampler::kSobol; },
       [](Scene& s, auto&) { s.bake.seed = 1; },
       [](Scene& s, auto&) { s.bake.kind = &kShadowed; },
@@ -396,6 +397,7 @@ TEST(BakeKey, ChangesWithAllThatRaysDependOnAndWithNothingElse) {
     s.mesh.specular.assign(s.mesh.positions.size(), {0.1F, 0.1F, 0.1F});
     s.mesh.exponent.assign(s.mesh.positions.size(), 7.0F);
     s.bake.bounces.tolerance = 0.1;
+    s.bake.bounces.directions = 1024;
     s.name = "another";
   }));
 }

@@ -15,6 +15,7 @@
 #include "numeric/sampling/power_law.hpp"
 #include "numeric/sampling/random.hpp"
 #include "numeric/sampling/sphere_nodes.hpp"
+#include "prt/angles.hpp"
 #include "tests/prt/rooms.hpp"
 
 namespace sh::prt::test {
@@ -84,7 +85,7 @@ Coefficients exact_transfer(const Shaded& surface) {
 // The estimate of the directions, without a control variate.
 Coefficients sampled_transfer(const Shaded& surface, const std::vector<Eigen::Vector3f>& directions, Sampler sampler) {
   const bool local = sampler == Sampler::kCosine;
-  const Eigen::Matrix3d frame = frame_about(surface.normal.cast<float>()).cast<double>();
+  const Eigen::Matrix3d frame = frame_about(surface.normal.cast<float>().eval()).cast<double>();
   const double share = (local ? 1.0 : 4.0) / static_cast<double>(directions.size());
   Coefficients sum{};
   for (const Eigen::Vector3f& direction : directions) {

@@ -42,7 +42,7 @@ TEST(MakePlan, TakesTheDecisionsThatItsModeAndKindAllow) {
   EXPECT_EQ(taken(&kShadowed, PlanMode::kLossy),
             (Names{"analytic", "channels", "bands", "symmetry", "storage", "directions"}));
   EXPECT_EQ(taken(&kInterreflected, PlanMode::kLossy),
-            (Names{"analytic", "bounces", "channels", "bands", "symmetry", "storage", "directions"}));
+            (Names{"analytic", "bounces", "channels", "bands", "symmetry", "storage", "hits", "directions"}));
   EXPECT_EQ(taken(&kGlossyUnshadowed, PlanMode::kLossy), (Names{"analytic", "channels"})) << "it stores nothing";
   EXPECT_EQ(taken(&kGlossyShadowed, PlanMode::kLossy),
             (Names{"analytic", "channels", "bands", "visibility", "storage", "directions"}));
@@ -93,7 +93,7 @@ TEST(MakePlan, RecordsWhatTheUserSkips) {
   scene.plan.without = {"bands", "bounces", "directions"};
   const BakeOptions asked = scene.bake;
   const Plan plan = make_plan(scene, kBestSet);
-  EXPECT_EQ(names_of(plan).size(), 7U);
+  EXPECT_EQ(names_of(plan).size(), 8U);
   for (const Decision& decision : plan.record.decisions) {
     const auto& without = scene.plan.without;
     const bool is_skipped = std::find(without.begin(), without.end(), decision.name) != without.end();
@@ -167,7 +167,7 @@ TEST(MakePlan, RefusesErrorsOutOfRangeAndNamesOfNoDecision) {
   for (const PlanMode mode : {PlanMode::kNone, PlanMode::kExact, PlanMode::kLossy}) {
     EXPECT_EQ(said(0.1, {"bands", "colour"}, mode),
               "decision colour: expected one of analytic, bounces, channels, bands, matrices, visibility, symmetry, "
-              "storage, directions");
+              "storage, hits, directions");
   }
 }
 

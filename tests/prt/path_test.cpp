@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "prt/angles.hpp"
 #include "prt/material/microfacet.hpp"
 #include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
@@ -34,8 +35,7 @@ Mesh room(float longest = 0.06F) {
 
 // A square that faces `normal`, one of the axes, at distance 1/2 of the middle.
 Mesh wall_facing(const Eigen::Vector3f& normal, float longest) {
-  const Eigen::Quaternionf turn = Eigen::Quaternionf::FromTwoVectors(Eigen::Vector3f::UnitZ(), normal);
-  Mesh wall = primitive_mesh("plane", 24, Eigen::Translation3f(-0.5F * normal) * turn);
+  Mesh wall = primitive_mesh("plane", 24, Eigen::Translation3f(-0.5F * normal) * frame_about(normal));
   refine(wall, longest);
   return wall;
 }

@@ -507,6 +507,69 @@ TEST(DecideDirections, TakesTheFewestForTheErrorOfAllTogether) {
   }
 }
 
+// In a room whose rays mostly hit something.
+TEST(DecideHits, TakeThePartThatCostsLeast) {
+  for (const int asked : {0, 100}) {
+    Scene scene = scene_to_plan(hollow_sphere(16, 0.5F), &kInterreflected);
+    paint(scene.mesh, {0.75F, 0.5F, 0.95F});
+    scene.bake.bounces.directions = asked;
+    Draft draft(scene, kBestSet);
+    begin_measuring(draft, bright_light(2), 1.0);
+    ASSERT_GT(draft.blocked(), 0.5);
+    for (const bool fits : {true, false}) {
+      draft.bounce_part = 1;
+      draft.bake = draft.asked;
+      scene.plan.error = fits ? 1.5 * draft.error_along(256) : 0.3 * draft.error_along(1024);
+      int best = 1;
+      double least = 1e9;
+      for (const int part : {1, 4, 8}) {
+        draft.bounce_part = part;
+        const int directions = draft.fewest_directions_within(scene.plan.error);
+        const int few = part > 1 ? draft.bounces_along(directions) : asked > 0 ? asked : directions;
+        if (part > 1 && (few >= directions || draft.error_along(directions) > scene.plan.error)) continue;
+        const double cost = directions + 6.0 * draft.blocked() * std::min(few, directions);
+        if (cost < least) std::tie(best, least) = std::pair(part, cost);
+      }
+      EXPECT_TRUE(fits ? best > 1 || asked > 0 : best == 1);
+      draft.bounce_part = 1;
+      const std::int64_t rays = draft.cost().rays;
+      decide_hits(draft);
+      const bool fewer = best > 1;
+      EXPECT_EQ(draft.bounce_part, best);
+      EXPECT_EQ(draft.bake.bounces.directions, fewer ? draft.bounces_along(1024) : asked);
+      EXPECT_EQ(last(draft).choice, fewer       ? fmt::format("of one direction in {}", best)
+                                    : asked > 0 ? "of 100 directions as requested"
+                                                : "of all directions");
+      EXPECT_EQ(last(draft).basis, fewer ? "measured" : "exact");
+      EXPECT_EQ(draft.cost().rays < rays, fewer && asked == 0);
+      decide_directions(draft);
+      EXPECT_EQ(draft.bake.bounces.directions, fewer ? draft.bounces_along(draft.bake.directions) : asked);
+      EXPECT_EQ(draft.error_along(draft.bake.directions) <= scene.plan.error, fits);
+    }
+  }
+}
+
+TEST(DecideHits, LeaveNothingOutWhereTheyAreFewOrNotMeasured) {
+  Scene scene = scene_to_plan(bowl({0.2F, 0.2F, 0.2F}), &kInterreflected);
+  scene.plan.error = 1.0;
+  const auto decided = [&](const TransferKind* kind) {
+    Draft draft(scene, kBestSet);
+    begin_measuring(draft, bright_light(2), 1.0);
+    draft.bake.kind = kind;
+    decide_hits(draft);
+    EXPECT_EQ(draft.bake.bounces.directions, 0);
+    EXPECT_EQ(draft.bounce_part, 1);
+    return last(draft).choice + ": " + last(draft).why;
+  };
+  EXPECT_EQ(decided(&kShadowed), "none: without bounces there are none");
+  shine(scene.mesh, Eigen::Vector3f::Ones());
+  EXPECT_EQ(decided(&kInterreflected), "of all directions: the measurement does not see the light of surfaces");
+  scene.mesh.emission.clear();
+  scene.bake.directions = 16;
+  EXPECT_EQ(decided(&kInterreflected),
+            "of all directions: fewer would need more directions for shadows, and save less");
+}
+
 TEST(StateError, TakesTheErrorOfAllTogetherIfAnyIsMeasured) {
   for (const LightTurns turns : {LightTurns::kNone, LightTurns::kAboutZ}) {
     Scene scene = scene_to_plan(box_in_square(), &kShadowed, 2, turns);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "prt/angles.hpp"
 #include "prt/plan/draft.hpp"
 #include "prt/rays/directions.hpp"
 #include "tests/prt/begun_plan.hpp"
@@ -169,6 +170,11 @@ TEST(Draft, CountsTheRaysOfABakeAfterItsCoarseBakes) {
       draft.plan.open = open;
       EXPECT_NEAR(static_cast<double>(draft.cost().rays) / rays_of(open), 1.0, 0.05)
           << kind->word << " " << name_of(sampler) << ": the blocked ones are traced twice";
+      draft.bake.bounces.directions = scene.bake.bounces.directions = 128;
+      draft.plan.open.clear();
+      draft.plan.open.resize(open.size(), 0);
+      EXPECT_NEAR(static_cast<double>(draft.cost().rays) / rays_of({}), 1.0, 0.05)
+          << kind->word << " " << name_of(sampler) << ": hits are found along 128 others";
     }
   }
 }

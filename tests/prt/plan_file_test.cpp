@@ -235,6 +235,7 @@ class KeptPlan : public testing::Test {
     scene_.bake.seed = 5;
     scene_.bake.kind = &kInterreflected;
     scene_.bake.bounces.tolerance = 0.0123;
+    scene_.bake.bounces.directions = 33;
     scene_.bake.compress_by_plan = true;
     plan_.record = {0.05, 0.0123, "any", {{"clusters", "some", "why", 12, -34, 0.002, "bound"}}};
     plan_.open.assign(scene_.mesh.positions.size(), 0);
@@ -294,6 +295,7 @@ TEST_F(KeptPlan, HasEveryNumberOfThePlanAndOfTheBake) {
   EXPECT_EQ(other.bake.seed, 5U);
   EXPECT_EQ(other.bake.kind, &kInterreflected);
   EXPECT_EQ(other.bake.bounces.tolerance, 0.0123);
+  EXPECT_EQ(other.bake.bounces.directions, 33);
   EXPECT_TRUE(other.bake.compress_by_plan);
   EXPECT_EQ(other.plan.mode, PlanMode::kLossy);
   EXPECT_EQ(plan_json(read, other), plan_json(plan_, scene_));

@@ -155,6 +155,7 @@ TEST_F(SceneFile, IsRefusedWithABadLightCameraGroundOrOption) {
       {R"("lights": [{"type": "constant", "file": "a.exr"}])", "/lights/0/file: unknown key"},
       {R"("bake": {"degree": 11})", "/bake/degree: expected an integer from 0 to 10, got 11"},
       {R"("bake": {"degree": true})", "/bake/degree: expected an integer from 0 to 10, got true"},
+      {R"("bake": {"bounce_directions": 0})", "/bake/bounce_directions: expected an integer from 1 to 1048576, got 0"},
       {R"("bake": {"tolerance": 0})", "/bake/tolerance: expected a number from 1e-9 to 1, got 0"},
       {R"("bake": {"transfer": "glossy"})",
        "/bake/transfer: expected one of unshadowed, shadowed, interreflected, glossy_unshadowed, "
@@ -300,7 +301,8 @@ TEST_F(SceneFile, HalvesTheSameEdgesAtAnyScale) {
 TEST_F(SceneFile, TakesEveryLimitOfItsOptions) {
   for (const char* entry :
        {R"("ground": {"size": 1.7e6})", R"("ground": {"height": -1.7e6})", R"("bake": {"degree": 0})",
-        R"("bake": {"degree": 10})", R"("bake": {"directions": 1, "seed": 0, "tolerance": 1})",
+        R"("bake": {"degree": 10})",
+        R"("bake": {"directions": 1, "bounce_directions": 1048576, "seed": 0, "tolerance": 1})",
         R"("bake": {"compress": {"clusters": 1, "vectors": 0}})",
         R"("bake": {"compress": {"clusters": 4096, "vectors": 64}})", R"("camera": {"field_of_view": 1})",
         R"("camera": {"field_of_view": 170})", R"("plan": {"error": 1})", R"("plan": {"without": []})"}) {

@@ -79,6 +79,7 @@ TEST_F(Shards, GiveThemWithMoreShardsThanChunks) {
 
 TEST_F(Shards, GiveThemForEveryOptionOfABake) {
   const Arguments cases[] = {{"--kind", "interreflected", "--bounce-memory", "0"},
+                             {"--kind", "interreflected", "--bounce-directions", "16"},
                              {"--sampler", "random", "--seed", "7", "--strict"},
                              {"--plan", "lossy", "--error", "0.05", "--light-turns", "any"},
                              {"--plan", "exact", "--without", "analytic,channels"},

@@ -172,7 +172,7 @@ Transfer with_every_entry(bool certified) {
   transfer.instruction_set = "some";
   transfer.mesh.frame = {{1e6, -2.0, 3.0}, 0.5};
   transfer.emitted.assign(transfer.mesh.positions.size(), {1.0F, 2.0F, 3.0F});
-  transfer.bounces = {"bicgstab", 7, certified, 0.5, 0.25, 2.0, 0.75, 0.125, 3.0, 0.0625};
+  transfer.bounces = {"bicgstab", 7, certified, 0.5, 0.25, 2.0, 0.75, 0.125, 3.0, 0.0625, 32};
   transfer.missing = {4096, 0.001};
   transfer.plan.decisions.push_back({"rays", "more", "they cost", 0, -5, 0.0, "exact"});
   return transfer;
@@ -198,6 +198,7 @@ TEST_F(TransferFile, GivesBackEveryEntryOfItsHeader) {
     EXPECT_EQ(read.bounces.spectral_bound, 0.75);
     EXPECT_EQ(read.bounces.emitted_bound, certified ? 0.125 : std::numeric_limits<double>::infinity());
     EXPECT_EQ(read.bounces.emitted_largest, 3.0);
+    EXPECT_EQ(read.bounces.directions, 32U);
     EXPECT_EQ(read.bounces.between_vertices, 0.0625);
     EXPECT_EQ(read.missing.directions, 4096U);
     EXPECT_EQ(read.missing.tolerance, 0.001);
