@@ -68,7 +68,7 @@ Eigen::Vector2d shares_of(const Stacked& target, const Stacked& first, const Sta
   const Eigen::Vector2d sides(first.dot(target), second.dot(target));
   const double determinant = squares.prod() - both * both;
   if (determinant > kAlike * squares.prod()) {
-    const Eigen::Vector2d free =
+    Eigen::Vector2d free =
         Eigen::Vector2d(squares.y() * sides.x() - both * sides.y(), squares.x() * sides.y() - both * sides.x()) /
         determinant;
     if (free.minCoeff() >= 0.0) return free;

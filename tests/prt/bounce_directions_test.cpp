@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "prt/bake/estimate.hpp"
-#include "tests/message_of.hpp"
 #include "tests/prt/rooms.hpp"
+#include "tests/prt/temporary_folder.hpp"
 
 namespace sh::prt::test {
 namespace {

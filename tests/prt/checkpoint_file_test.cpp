@@ -218,13 +218,13 @@ TEST_F(CheckpointBytes, LieInAFileThatCanBeWritten) {
 // As parts of a bake that are only read.
 TEST_F(CheckpointBytes, ThatAreOnlyReadStayAsTheyAre) {
   const auto said = [&](const std::string& path) {
-    const std::string message = message_of([&] { CheckpointFile::for_reading(path, kKey); });
+    std::string message = message_of([&] { CheckpointFile::for_reading(path, kKey); });
     EXPECT_TRUE(message.empty() || message.rfind(path + ": ", 0) == 0) << message;
     return message.substr(message.empty() ? 0 : path.size() + 2);
   };
   const auto of = [&](const std::string& bytes) {
     write_all(path_, bytes);
-    const std::string message = said(path_);
+    std::string message = said(path_);
     EXPECT_EQ(read_all(path_), bytes);
     return message;
   };

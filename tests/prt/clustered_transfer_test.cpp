@@ -237,7 +237,7 @@ TEST(ClusteredTransfer, IsNotTakenWhereItLosesMoreThanThePlanHasRoomFor) {
 TEST(ClusteredTransfer, HasTheFirstCountsThatAPlanHasRoomFor) {
   const auto scene_with = [](ClusterCounts counts, double error) {
     Scene scene = room_to_plan(counts, error);
-    scene.plan.without.insert(scene.plan.without.end(), {"analytic", "storage", "directions"});
+    scene.plan.without.insert(scene.plan.without.end(), {"analytic", "storage", "hits", "directions"});
     scene.bake.compress_by_plan = counts.clusters == 0;
     return scene;
   };

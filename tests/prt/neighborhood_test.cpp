@@ -201,7 +201,7 @@ TEST(TransferredRadiance, GivesAPointTheWholeLightOfAnyDegreeWhereTheObjectBlock
 
 TEST(TransferredRadiance, RefusesLightThatExceedsSinglePrecisionAroundAnObject) {
   const Transfer volume = random_volume(2, 4);
-  TransferredRadiance(volume, constant_light(4, 1e35));
+  EXPECT_NO_THROW(TransferredRadiance(volume, constant_light(4, 1e35)));
   for (const double strong : {1e37, 1e39, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_NE(
         message_of([&] { TransferredRadiance(volume, constant_light(4, strong)); }).find("exceeds single precision"),
@@ -495,7 +495,7 @@ TEST(Neighborhood, LightsAFrameOfAStageAsRaysDo) {
     stage.objects[0].per_vertex = true;
     stage.objects[1].volume = std::make_shared<const Transfer>(space_around(
         wing, in_box(Eigen::Vector3d(-2.6, -2.6, -1.4), Eigen::Vector3d(2.6, 2.6, 0.6), {40, 40, 16}, degree, 4, 512)));
-    const StageLighting lighting(stage, [&](int /*degree*/) { return light; }, {});
+    const StageLighting lighting(stage, [&](int /*degree*/) -> LightCoefficients { return light; }, {});
     const std::vector<Eigen::Vector3f> frame = lighting.radiance({Pose(), pose}, Eigen::Matrix3d::Identity());
     Mesh placed = wing;
     for (Eigen::Vector3f& p : placed.positions) p = (pose.rotation * p.cast<double>() + pose.position).cast<float>();
@@ -507,7 +507,7 @@ TEST(Neighborhood, LightsAFrameOfAStageAsRaysDo) {
             .x();
     for (std::size_t v = 0; v < ground.positions.size(); ++v) {
       const double expected = by_rays(tracer, ground.point(v), Eigen::Vector3d::UnitZ(), light).x();
-      const double seen = static_cast<double>(frame[v].x() / ground.albedo[v].x());
+      const auto seen = static_cast<double>(frame[v].x() / ground.albedo[v].x());
       squares += std::pow(seen - expected, 2);
       shadow = std::max(shadow, open - expected);
     }
@@ -523,7 +523,7 @@ TEST(Neighborhood, HasTheSameBitsForAnyNumberOfThreads) {
   const AroundStage around({volume_of_stairs(), volume_of_stairs()});
   const LightCoefficients light = random_light(4, 9);
   const std::vector<Pose> poses = {Pose(), {rotation_about(kSlanted, 20.0), Eigen::Vector3d(0.3, 0.0, 0.2)}, Pose()};
-  const StageLighting lighting(around.stage, [&](int /*degree*/) { return light; }, {});
+  const StageLighting lighting(around.stage, [&](int /*degree*/) -> LightCoefficients { return light; }, {});
   const auto all = lighting.radiance(poses, Eigen::Matrix3d::Identity());
   const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_EQ(lighting.radiance(poses, Eigen::Matrix3d::Identity()), all);

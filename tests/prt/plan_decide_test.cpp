@@ -174,7 +174,7 @@ double storage_error(const Draft& draft, Element element) {
     for (int l = 0; l <= draft.bake.degree; ++l) {
       const double number = 1.01 * transfer_band_bound(*draft.bake.kind, false, l);
       const double e = element == Element::kByte ? number / 127.0 / 2.0 : number / 2048.0;
-      for (std::size_t i = static_cast<std::size_t>(l * l); i < coefficient_count(l); ++i) {
+      for (auto i = static_cast<std::size_t>(l * l); i < coefficient_count(l); ++i) {
         const bool is_kept = kept.empty() || std::find(kept.begin(), kept.end(), i) != kept.end();
         sum += is_kept ? e * std::abs(draft.light->coefficients().at(c, i)) : 0.0;
       }

@@ -181,10 +181,9 @@ TEST(PlanText, SaysAtMostOnlyOfBoundsAndGivesMeasuredErrorsAConfidence) {
   EXPECT_EQ(measured.find("error at most"), std::string::npos) << measured;
   EXPECT_EQ(measured.find("heuristic"), std::string::npos) << measured;
   EXPECT_NE(measured.find("99 % confidence"), std::string::npos) << measured;
-  const std::string bound = text_of(
-      {.mode = PlanMode::kLossy,
-       .error = 0.05,
-       .without = {"analytic", "bounces", "bands", "symmetry", "hits", "directions"}});
+  const std::string bound = text_of({.mode = PlanMode::kLossy,
+                                     .error = 0.05,
+                                     .without = {"analytic", "bounces", "bands", "symmetry", "hits", "directions"}});
   EXPECT_NE(bound.find("error at most"), std::string::npos) << bound;
   EXPECT_EQ(bound.find("confidence"), std::string::npos) << bound;
 }

@@ -34,7 +34,7 @@ export function spawnPrt(...words) {
   const ended = new Promise((done) => { child.on('exit', done); });
   return {
     async line(pattern) {
-      for (let left = 600; left > 0; --left) {
+      for (let left = 6000; left > 0; --left) {
         if (pattern.test(text)) return pattern.exec(text)[0];
         if (child.exitCode !== null) break;
         await new Promise((done) => { setTimeout(done, 100); });
@@ -147,6 +147,7 @@ function base64Of(numbers) {
 async function withUrl(url, use, { isOwn, serve, hash = '', width = 800, height = 480, ...more } = {}) {
   const context = await browser.newContext({ viewport: { width, height }, ...more });
   const page = await context.newPage();
+  page.setDefaultTimeout(600_000);  // a slow machine draws slowly; ctest ends a test that hangs
   await page.addInitScript(`globalThis.base64Of = ${base64Of}`);
   const errors = [];
   page.on('console', (message) => { if (message.type() === 'error') errors.push(message.text()); });

@@ -1,0 +1,138 @@
+// How bakes grow with the number of receivers: growth_bench [FILE.svg [MOST]]. A generated city of boxes on a ground, of 10^4
+// receivers and more, three sizes a decade, up to MOST (10^6). Each bake is a process of its own, `prt bake` of the same
+// build, so that its memory is its own. Prints processor time, memory and bytes, and draws them. Takes minutes.
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "numeric/output/atomic_file.hpp"
+#include "numeric/output/chart.hpp"
+#include "prt/scene/scene.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int kBlocks = 8;  // of houses along a side
+const std::vector<std::pair<std::string, std::vector<std::string>>> kBakes = {
+    {"DS", {"--kind", "shadowed"}},
+    {"DI", {"--kind", "interreflected"}},
+    {"DI, 64 directions for bounces", {"--kind", "interreflected", "--bounce-directions", "64"}},
+    {"GS", {"--kind", "glossy_shadowed"}}};
+
+/// Houses of several heights and colors, whose edges are no longer than `longest`.
+json city(double longest) {
+  json meshes = json::array();
+  for (int i = 0; i < kBlocks * kBlocks; ++i) {
+    const double height = 0.5 + 2.0 * std::fmod(0.618034 * i, 1.0);
+    const double gray = 0.3 + 0.5 * std::fmod(0.414214 * i, 1.0);
+    meshes.push_back(
+        {{"primitive", "box"},
+         {"albedo", {gray, 0.8 * gray, 0.6 * gray}},
+         {"max_edge", longest},
+         {"transform", {{"scale", {0.7, 0.7, height}}, {"translate", {i % kBlocks, i / kBlocks, 0.5 * height}}}}});
+  }
+  return {{"name", "city"},
+          {"meshes", meshes},
+          {"ground", {{"height", 0.0}, {"size", 1.5 * kBlocks}, {"max_edge", longest}, {"albedo", {0.4, 0.4, 0.4}}}},
+          {"bake", {{"degree", 4}, {"directions", 512}}}};
+}
+
+std::size_t write_city(const fs::path& file, double longest) {
+  sh::output::write_file(file.string(), city(longest).dump());
+  return sh::prt::load_scene(file.string(), sh::prt::OnFlaw::kMend).mesh.positions.size();
+}
+
+struct Cost {
+  double seconds = 0.0;  // of the processor
+  double bytes = 0.0;    // of memory at the most
+};
+
+Cost run(const std::vector<std::string>& words) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (std::freopen("/dev/null", "w", stderr) != nullptr) execv(arguments[0], arguments.data());
+    _exit(127);
+  }
+  int status = 0;
+  rusage usage{};
+  if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0) {
+    throw std::runtime_error(fmt::format("{} {}: it failed", words[0], words[1]));
+  }
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), 1024.0 * static_cast<double>(usage.ru_maxrss)};
+}
+
+void measure(const std::string& picture, double most) {
+  const fs::path folder = fs::temp_directory_path() / fmt::format("growth_bench_{}", getpid());
+  fs::create_directory(folder);
+  const std::string scene = (folder / "city.json").string();
+  const std::string out = (folder / "city.transfer").string();
+  sh::output::Chart chart{.title = "A city: memory and processor time of bakes",
+                          .x = {"receivers"},
+                          .y = {"MiB of memory (lines), seconds of the processor (dashes)"},
+                          .series = {},
+                          .width = 640,
+                          .height = 420,
+                          .legend = true};
+  for (std::size_t k = 0; k < kBakes.size(); ++k) {
+    const auto& [name, words] = kBakes[k];
+    chart.series.push_back({.name = name, .color = static_cast<int>(k), .line = sh::output::Line::kStraight});
+    chart.series.push_back({.name = {},
+                            .color = static_cast<int>(k),
+                            .filled = false,
+                            .line = sh::output::Line::kStraight,
+                            .dashed = true});
+  }
+  constexpr double kFirstEdge = 0.3;
+  const auto first = static_cast<double>(write_city(scene, kFirstEdge));
+  fmt::print("{:>10} {:<30} {:>8} {:>12} {:>8} {:>10} {:>10}\n", "receivers", "bake", "s", "us/receiver", "MiB",
+             "B/receiver", "B in file");
+  for (double wanted = 1e4; wanted <= most * 1.01; wanted *= std::cbrt(10.0)) {
+    const std::size_t receivers = write_city(scene, kFirstEdge * std::sqrt(first / wanted));
+    const auto count = static_cast<double>(receivers);
+    for (std::size_t k = 0; k < kBakes.size(); ++k) {
+      std::vector<std::string> words = {SHFORGE_BIN_DIR "/prt", "bake", scene, "--plan", "none",
+                                        "--no-checkpoint",      "-o",   out};
+      words.insert(words.end(), kBakes[k].second.begin(), kBakes[k].second.end());
+      const Cost cost = run(words);
+      fmt::print("{:>10} {:<30} {:>8.1f} {:>12.1f} {:>8.0f} {:>10.0f} {:>10.0f}\n", receivers, kBakes[k].first,
+                 cost.seconds, 1e6 * cost.seconds / count, cost.bytes / 1048576.0, cost.bytes / count,
+                 static_cast<double>(fs::file_size(out)) / count);
+      std::fflush(stdout);
+      chart.series[2 * k].points.push_back({count, cost.bytes / 1048576.0});
+      chart.series[2 * k + 1].points.push_back({count, cost.seconds});
+    }
+  }
+  fs::remove_all(folder);
+  if (!picture.empty()) sh::output::write_file(picture, sh::output::chart_file(chart));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    measure(argc > 1 ? argv[1] : "", argc > 2 ? std::stod(argv[2]) : 1e6);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "growth_bench: {}\n", error.what());
+    return 2;
+  }
+  return 0;
+}
