@@ -116,11 +116,11 @@ BakeEstimate estimate_rays(const BakeJob& job) {
   const bool bounces = scene.bake.kind->has_form_factors();
   FormFactors factors(bounces ? vertices : 0);
   ShadowResult result{transfer, std::vector<Sight>(vertices), bounces ? &factors : nullptr};
-  const output::Stopwatch tracing;
-  samples.resize(ShadowPass(setup, open, result).sample(samples, kSampleSeconds));
+  const ShadowPass::Sampled sampled = ShadowPass(setup, open, result).sample(samples, kSampleSeconds);
+  samples.resize(sampled.vertices);
   if (samples.empty()) return estimate;
   const double scale = static_cast<double>(estimate.vertices) / static_cast<double>(samples.size());
-  estimate.pass_seconds = tracing.seconds() * scale;
+  estimate.pass_seconds = sampled.seconds * scale;
   estimate.rays = static_cast<double>(setup.tracer.rays()) * scale;
   estimate.bytes = resident_memory() + setup.directions.size() * kBytesADirection * thread_count(settings.threads);
   if (scene.bake.kind->indirect != nullptr) estimate.bytes += glossy_bounce_bytes(scene.mesh, scene.bake.degree);

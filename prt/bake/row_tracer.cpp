@@ -65,6 +65,7 @@ FormFactorRow RowTracer::row(std::size_t vertex) {
     apart_->gather(vertex);
     follow(*apart_, vertex);
   }
+  sums_.resize(mesh.positions.size(), 0.0);
   FormFactorRow row;
   for (const BlockedRay& ray : met_) {
     if (ray.hit.face == Hit::kNothing) continue;  // it just misses the face that the shadow ray hit; the light is lost

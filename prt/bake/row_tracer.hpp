@@ -57,9 +57,7 @@ struct RaySetup {
 class RowTracer {
  public:
   explicit RowTracer(const RaySetup& setup)
-      : setup_(setup),
-        gatherer_(setup.mesh, setup.starts, setup.tracer, setup.directions),
-        sums_(setup.mesh.positions.size(), 0.0) {
+      : setup_(setup), gatherer_(setup.mesh, setup.starts, setup.tracer, setup.directions) {
     if (setup.bounce_directions) apart_.emplace(setup.mesh, setup.starts, setup.tracer, *setup.bounce_directions);
   }
 
@@ -88,7 +86,7 @@ class RowTracer {
   std::vector<BlockedRay> met_;  // at the ends of all paths, with the remaining parts of the cosine
   std::vector<BlockedRay> sky_;
   double cut_ = 0.0;
-  std::vector<double> sums_;  // (vertices), zero between calls
+  std::vector<double> sums_;  // (vertices), zero between calls; empty before the first row
 };
 
 /// Returns a function that traces the rows of vertices again. The setup must outlive it.

@@ -36,20 +36,26 @@ double ShadowPass::run(Checkpoint& checkpoint) {
   return largest;
 }
 
-std::size_t ShadowPass::sample(const std::vector<std::uint32_t>& vertices, double seconds) {
+ShadowPass::Sampled ShadowPass::sample(const std::vector<std::uint32_t>& vertices, double seconds) {
+  const int tasks = tbb::this_task_arena::max_concurrency();
   const output::Stopwatch stopwatch;
+  std::vector<double> starts(tasks);
+  std::vector<double> ends(tasks);
   tbb::enumerable_thread_specific<Worker> workers([this] { return Worker(setup_); });
   std::atomic<std::size_t> next{0};
   std::atomic<std::size_t> done{0};
-  in_parallel(0, tbb::this_task_arena::max_concurrency(), [&](int) {
+  in_parallel(0, tasks, [&](int task) {
+    Worker& worker = workers.local();  // the time to make it is not that of a vertex
+    starts[task] = ends[task] = stopwatch.seconds();
     do {
       const std::size_t i = next++;
       if (i >= vertices.size()) return;
-      trace(vertices[i], workers.local());
+      trace(vertices[i], worker);
       ++done;
-    } while (stopwatch.seconds() < seconds);
+      ends[task] = stopwatch.seconds();
+    } while (ends[task] - starts[task] < seconds);
   });
-  return done;
+  return {done, *std::max_element(ends.begin(), ends.end()) - *std::min_element(starts.begin(), starts.end())};
 }
 
 void ShadowPass::trace(std::size_t vertex, Worker& worker) {

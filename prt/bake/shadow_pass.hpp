@@ -19,9 +19,12 @@ class ShadowPass {
   /// output::Interrupted if it is asked to stop. Returns the largest part of the cosine that a vertex lost by cutting
   /// paths between mirrors. Black vertices do not count.
   double run(Checkpoint& checkpoint);
-  /// Traces these vertices in order, in the same way as run(), until the time is over. Returns how many were traced, at
-  /// least one.
-  std::size_t sample(const std::vector<std::uint32_t>& vertices, double seconds);
+  struct Sampled {
+    std::size_t vertices = 0;  // at least one
+    double seconds = 0.0;      // without those that buffers take once, which grow with the mesh
+  };
+  /// Traces these vertices in order, in the same way as run(), until the time is over.
+  Sampled sample(const std::vector<std::uint32_t>& vertices, double seconds);
 
  private:
   struct Worker;  // the buffers of one thread
