@@ -109,8 +109,8 @@ void measure(const std::string& picture, double most) {
     const std::size_t receivers = write_city(scene, kFirstEdge * std::sqrt(first / wanted));
     const auto count = static_cast<double>(receivers);
     for (std::size_t k = 0; k < kBakes.size(); ++k) {
-      std::vector<std::string> words = {SHFORGE_BIN_DIR "/prt", "bake", scene, "--plan", "none",
-                                        "--no-checkpoint",      "-o",   out};
+      const std::string tool = std::string(SHFORGE_BIN_DIR) + "/prt";
+      std::vector<std::string> words = {tool, "bake", scene, "--plan", "none", "--no-checkpoint", "-o", out};
       words.insert(words.end(), kBakes[k].second.begin(), kBakes[k].second.end());
       const Cost cost = run(words);
       fmt::print("{:>10} {:<30} {:>8.1f} {:>12.1f} {:>8.0f} {:>10.0f} {:>10.0f}\n", receivers, kBakes[k].first,

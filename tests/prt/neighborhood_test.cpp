@@ -495,7 +495,7 @@ TEST(Neighborhood, LightsAFrameOfAStageAsRaysDo) {
     stage.objects[0].per_vertex = true;
     stage.objects[1].volume = std::make_shared<const Transfer>(space_around(
         wing, in_box(Eigen::Vector3d(-2.6, -2.6, -1.4), Eigen::Vector3d(2.6, 2.6, 0.6), {40, 40, 16}, degree, 4, 512)));
-    const StageLighting lighting(stage, [&](int /*degree*/) -> LightCoefficients { return light; }, {});
+    const StageLighting lighting(stage, [&](int /*degree*/) { return LightCoefficients(light); }, {});
     const std::vector<Eigen::Vector3f> frame = lighting.radiance({Pose(), pose}, Eigen::Matrix3d::Identity());
     Mesh placed = wing;
     for (Eigen::Vector3f& p : placed.positions) p = (pose.rotation * p.cast<double>() + pose.position).cast<float>();
@@ -523,7 +523,7 @@ TEST(Neighborhood, HasTheSameBitsForAnyNumberOfThreads) {
   const AroundStage around({volume_of_stairs(), volume_of_stairs()});
   const LightCoefficients light = random_light(4, 9);
   const std::vector<Pose> poses = {Pose(), {rotation_about(kSlanted, 20.0), Eigen::Vector3d(0.3, 0.0, 0.2)}, Pose()};
-  const StageLighting lighting(around.stage, [&](int /*degree*/) -> LightCoefficients { return light; }, {});
+  const StageLighting lighting(around.stage, [&](int /*degree*/) { return LightCoefficients(light); }, {});
   const auto all = lighting.radiance(poses, Eigen::Matrix3d::Identity());
   const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_EQ(lighting.radiance(poses, Eigen::Matrix3d::Identity()), all);
