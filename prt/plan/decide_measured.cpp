@@ -272,7 +272,7 @@ void decide_hits(Draft& draft) {
   double least = 0.0;
   for (const int part : {1, 4, 8}) {
     draft.bounce_part = part;
-    const int directions = draft.allows("directions") ? draft.fewest_directions_within(draft.options.error) : asked;
+    const int directions = draft.allows("directions") ? draft.fewest_directions_within_limit() : asked;
     const int fewer = draft.along(directions).fewer_for_bounces();
     if (part > 1 && (fewer == 0 || draft.error_along(directions) > draft.options.error)) continue;
     const double cost = directions + hits * (fewer > 0 ? fewer : directions);
@@ -290,7 +290,7 @@ void decide_hits(Draft& draft) {
 
 void decide_directions(Draft& draft) {
   const int asked = draft.bake.directions;
-  draft.bake.directions = draft.fewest_directions_within(draft.options.error);
+  draft.bake.directions = draft.fewest_directions_within_limit();
   if (draft.bounce_part > 1) draft.bake.bounces.directions = draft.bounces_along(draft.bake.directions);
   const bool fewer = draft.bake.directions < asked;
   draft.decide(

@@ -107,8 +107,8 @@ int Draft::bounces_along(int directions) const {
   return asked.bounces.directions > 0 ? std::min(few, asked.bounces.directions) : few;
 }
 
-int Draft::fewest_directions_within(double limit) const {
-  return fewest_directions([this](int directions) { return error_along(directions); }, asked.directions, limit);
+int Draft::fewest_directions_within_limit() const {
+  return fewest_directions([this](int directions) { return error_along(directions); }, asked.directions, options.error);
 }
 
 double Draft::blocked() const {

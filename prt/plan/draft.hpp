@@ -79,8 +79,8 @@ struct Draft {
   /// The stated error of the plan so far with this many directions; that of the directions themselves counts only if the
   /// user does not skip this decision.
   [[nodiscard]] double error_along(int directions) const;
-  /// The fewest directions, at most the asked ones, for which that error is within the limit; the asked ones if none is.
-  [[nodiscard]] int fewest_directions_within(double limit) const;
+  /// The fewest directions, at most the asked ones, for which that error is within the plan's; the asked ones if none is.
+  [[nodiscard]] int fewest_directions_within_limit() const;
   /// The part of the cosine that is blocked, the mean of the vertices.
   [[nodiscard]] double blocked() const;
   /// The error of the reference itself: what remains of that of fewer directions, by the rate at which they converge, or

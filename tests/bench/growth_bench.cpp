@@ -19,13 +19,14 @@
 #include "numeric/output/atomic_file.hpp"
 #include "numeric/output/chart.hpp"
 #include "prt/scene/scene.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int kBlocks = 8;  // of houses along a side
+constexpr int kBlocks = 8;       // houses along a side
+constexpr double kFewest = 1e4;  // receivers
 const std::vector<std::pair<std::string, std::vector<std::string>>> kBakes = {
     {"DS", {"--kind", "shadowed"}},
     {"DI", {"--kind", "interreflected"}},
@@ -50,9 +51,9 @@ json city(double longest) {
           {"bake", {{"degree", 4}, {"directions", 512}}}};
 }
 
-std::size_t write_city(const fs::path& file, double longest) {
-  sh::output::write_file(file.string(), city(longest).dump());
-  return sh::prt::load_scene(file.string(), sh::prt::OnFlaw::kMend).mesh.positions.size();
+std::size_t write_city(const std::string& file, double longest) {
+  sh::output::write_file(file, city(longest).dump());
+  return sh::prt::load_scene(file, sh::prt::OnFlaw::kMend).mesh.positions.size();
 }
 
 struct Cost {
@@ -81,10 +82,9 @@ Cost run(const std::vector<std::string>& words) {
 }
 
 void measure(const std::string& picture, double most) {
-  const fs::path folder = fs::temp_directory_path() / fmt::format("growth_bench_{}", getpid());
-  fs::create_directory(folder);
-  const std::string scene = (folder / "city.json").string();
-  const std::string out = (folder / "city.transfer").string();
+  const sh::test::TemporaryFolder folder;
+  const std::string scene = folder.file("city.json");
+  const std::string out = folder.file("city.transfer");
   sh::output::Chart chart{.title = "A city: memory and processor time of bakes",
                           .x = {"receivers"},
                           .y = {"MiB of memory (lines), seconds of the processor (dashes)"},
@@ -105,7 +105,7 @@ void measure(const std::string& picture, double most) {
   const auto first = static_cast<double>(write_city(scene, kFirstEdge));
   fmt::print("{:>10} {:<30} {:>8} {:>12} {:>8} {:>10} {:>10}\n", "receivers", "bake", "s", "us/receiver", "MiB",
              "B/receiver", "B in file");
-  for (double wanted = 1e4; wanted <= most * 1.01; wanted *= std::cbrt(10.0)) {
+  for (double wanted = kFewest; wanted <= most * 1.01; wanted *= std::cbrt(10.0)) {
     const std::size_t receivers = write_city(scene, kFirstEdge * std::sqrt(first / wanted));
     const auto count = static_cast<double>(receivers);
     for (std::size_t k = 0; k < kBakes.size(); ++k) {
@@ -115,13 +115,12 @@ void measure(const std::string& picture, double most) {
       const Cost cost = run(words);
       fmt::print("{:>10} {:<30} {:>8.1f} {:>12.1f} {:>8.0f} {:>10.0f} {:>10.0f}\n", receivers, kBakes[k].first,
                  cost.seconds, 1e6 * cost.seconds / count, cost.bytes / 1048576.0, cost.bytes / count,
-                 static_cast<double>(fs::file_size(out)) / count);
+                 static_cast<double>(std::filesystem::file_size(out)) / count);
       std::fflush(stdout);
       chart.series[2 * k].points.push_back({count, cost.bytes / 1048576.0});
       chart.series[2 * k + 1].points.push_back({count, cost.seconds});
     }
   }
-  fs::remove_all(folder);
   if (!picture.empty()) sh::output::write_file(picture, sh::output::chart_file(chart));
 }
 
@@ -129,7 +128,12 @@ void measure(const std::string& picture, double most) {
 
 int main(int argc, char** argv) {
   try {
-    measure(argc > 1 ? argv[1] : "", argc > 2 ? std::stod(argv[2]) : 1e6);
+    const double most = argc > 2 ? std::strtod(argv[2], nullptr) : 1e6;
+    if (argc > 3 || !(most >= kFewest)) {
+      throw std::invalid_argument(
+          fmt::format("expected a file and at least {:g} receivers: growth_bench [FILE.svg [MOST]]", kFewest));
+    }
+    measure(argc > 1 ? argv[1] : "", most);
   } catch (const std::exception& error) {
     fmt::print(stderr, "growth_bench: {}\n", error.what());
     return 2;

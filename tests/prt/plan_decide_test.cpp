@@ -524,7 +524,7 @@ TEST(DecideHits, TakeThePartThatCostsLeast) {
       double least = 1e9;
       for (const int part : {1, 4, 8}) {
         draft.bounce_part = part;
-        const int directions = draft.fewest_directions_within(scene.plan.error);
+        const int directions = draft.fewest_directions_within_limit();
         const int few = part > 1 ? draft.bounces_along(directions) : asked > 0 ? asked : directions;
         if (part > 1 && (few >= directions || draft.error_along(directions) > scene.plan.error)) continue;
         const double cost = directions + 6.0 * draft.blocked() * std::min(few, directions);
