@@ -1,6 +1,7 @@
 #include "prt/bake/bake.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,11 @@ namespace {
 
 void check(const BakeJob& job) {
   const BakeOptions& options = job.scene.bake;
+  if (find_kind(&TransferKind::word, options.kind->word) == nullptr) {
+    throw std::invalid_argument(fmt::format("{}: `prt bake` does not make transfer of the kind {}; expected one of {}",
+                                            job.scene.name, options.kind->word,
+                                            fmt::join(kind_names(&TransferKind::word), ", ")));
+  }
   if (const int highest = options.kind->highest_degree; options.degree < 0 || options.degree > highest) {
     const std::string whose = highest < kMaxDegree ? fmt::format(" (of the kind {})", options.kind->word) : "";
     throw std::invalid_argument(fmt::format("degree: expected 0 to {}{}, got {}", highest, whose, options.degree));

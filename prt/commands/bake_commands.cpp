@@ -212,6 +212,12 @@ void run_bake(const BakeCommand& options) {
   output::require_no_input(options.output, {settings.plan_file});
   output::require_no_input(options.output, options.parts);
   if (scene.medium) return run_medium_bake(options, std::move(scene));
+  if (!scene.mesh.translucence.empty()) {
+    report_flaw(settings.on_flaw,
+                fmt::format("{}: its translucent materials are left out, which only `prt translucent` "
+                            "shows",
+                            scene.name));
+  }
   BakeJob job(std::move(scene), settings);
   output::require_no_input(settings.checkpoint.path, job.scene.files);
   output::require_no_input(settings.checkpoint.path, {settings.plan_file});

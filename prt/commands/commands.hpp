@@ -36,6 +36,7 @@ void add_bake_command(CLI::App& tool);
 void add_merge_command(CLI::App& tool);
 void add_shards_command(CLI::App& tool);
 void add_volume_command(CLI::App& tool);
+void add_translucent_command(CLI::App& tool);
 void add_relight_command(CLI::App& tool);
 void add_render_command(CLI::App& tool);
 void add_shader_command(CLI::App& tool);

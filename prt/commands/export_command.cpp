@@ -98,7 +98,7 @@ void export_transfer(const ExportCommand& options, const TransferFormat& format)
         fmt::format("{}: {} holds transfer; expected a file of `prt bake`", options.subject, format.name));
   }
   output::require_no_input(options.output, {options.subject});
-  const Transfer transfer = read_transfer(options.subject);
+  const Transfer transfer = read_transfer(options.subject, vertex_kinds());
   if (!transfer.mesh.brdf.empty() || !transfer.mesh.normal_map.empty()) {
     say(fmt::format("{} holds no tables of BRDFs and no normal maps: they are left out", format.name));
   }

@@ -9,6 +9,7 @@
 #include "prt/kinds/kinds.hpp"
 #include "prt/runtime/lightmap.hpp"
 #include "prt/say.hpp"
+#include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
 namespace {
@@ -37,6 +38,9 @@ void require_fit(const LightmapCommand& options, const Transfer& transfer, Of of
   };
   if (transfer.mesh.atlases.heads.empty()) {
     refuse("its receivers are vertices; expected a bake of a scene in which a mesh has `texels`");
+  }
+  if (of != Of::kTransfer && transfer.kind->is_length) {
+    refuse(fmt::format("--of {}: its numbers are lengths, not light; expected transfer", options.of));
   }
   if (of == Of::kDirectional && !transfer.kind->is_glossy()) {
     refuse(fmt::format("--of directional: transfer of kind {} holds the cosine about its normals; expected {} or {}",
@@ -80,10 +84,10 @@ void run_lightmap(const LightmapCommand& options) {
   const Stopwatch stopwatch;
   const Of of = value_called<Of>(options.of, kOf).value();
   require_output(options.output, {".exr"});
-  Subject subject(options.subject);
-  if (subject.is_stage()) {
+  if (std::filesystem::path(options.subject.file).extension() == ".json") {
     throw std::invalid_argument(fmt::format("{}: expected a transfer file, not a stage", options.subject.file));
   }
+  Subject subject(options.subject, read_transfer(options.subject.file, vertex_kinds()));
   const Transfer& transfer = subject.transfer();
   require_fit(options, transfer, of);
   const std::size_t atlases = transfer.mesh.atlases.heads.size();

@@ -126,8 +126,9 @@ void add_probes_command(CLI::App& tool) {
       ->expected(6);
   command.add_option("--to", options->format,
                      "format of an engine for each probe; default: as `prt project` prints it");
-  command.add_option("--check", options->check,
-                     "points at which interpolated probes are compared with the light; 0: none");
+  command
+      .add_option("--check", options->check, "points at which interpolated probes are compared with the light; 0: none")
+      ->check(CLI::Range(0, 1'000'000));
   run_with_threads(command, options, run_probes);
 }
 

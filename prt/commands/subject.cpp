@@ -78,8 +78,10 @@ LightSamples local_samples(const SubjectOptions& options, const Transfer& transf
   };
   if (transfer.kind->is_glossy()) refuse("glossy transfer takes distant light only; diffuse transfer is needed");
   if (is_stage) refuse("a stage takes distant light only; a transfer file is needed");
-  if (transfer.kind->has_bounces()) {
-    refuse("the bake has bounces, whose light comes from other places too; bake unshadowed or shadowed transfer");
+  if (transfer.shape.holds_albedo) {
+    refuse(
+        "the bake has bounces or light through bodies, which comes from other places too; bake unshadowed or shadowed "
+        "transfer");
   }
   return samples_named(options.local, transfer.mesh);
 }

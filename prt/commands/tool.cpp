@@ -25,21 +25,32 @@ struct Command {
   void (*add)(CLI::App&);
 };
 
-constexpr Command kCommands[] = {
-    {"bake", sh::prt::add_bake_command},         {"merge", sh::prt::add_merge_command},
-    {"shards", sh::prt::add_shards_command},     {"volume", sh::prt::add_volume_command},
-    {"relight", sh::prt::add_relight_command},   {"render", sh::prt::add_render_command},
-    {"shader", sh::prt::add_shader_command},     {"fix-view", sh::prt::add_fix_view_command},
-    {"info", sh::prt::add_info_command},         {"project", sh::prt::add_project_command},
-    {"plan", sh::prt::add_plan_command},         {"reconstruct", sh::prt::add_reconstruct_command},
-    {"light-at", sh::prt::add_light_at_command}, {"probes", sh::prt::add_probes_command},
-    {"lightmap", sh::prt::add_lightmap_command}, {"study", sh::prt::add_study_command},
+constexpr Command kCommands[] = {{"bake", sh::prt::add_bake_command},
+                                 {"merge", sh::prt::add_merge_command},
+                                 {"shards", sh::prt::add_shards_command},
+                                 {"volume", sh::prt::add_volume_command},
+                                 {"translucent", sh::prt::add_translucent_command},
+                                 {"relight", sh::prt::add_relight_command},
+                                 {"render", sh::prt::add_render_command},
+                                 {"shader", sh::prt::add_shader_command},
+                                 {"fix-view", sh::prt::add_fix_view_command},
+                                 {"info", sh::prt::add_info_command},
+                                 {"project", sh::prt::add_project_command},
+                                 {"plan", sh::prt::add_plan_command},
+                                 {"reconstruct", sh::prt::add_reconstruct_command},
+                                 {"light-at", sh::prt::add_light_at_command},
+                                 {"probes", sh::prt::add_probes_command},
+                                 {"lightmap", sh::prt::add_lightmap_command},
+                                 {"study", sh::prt::add_study_command},
 #if defined(SHFORGE_EMIT)
-    {"emit", sh::prt::add_emit_command},
+                                 {"emit", sh::prt::add_emit_command},
 #endif
-    {"view", sh::prt::add_view_command},         {"grid", sh::prt::add_grid_command},
-    {"export", sh::prt::add_export_command},     {"import", sh::prt::add_import_command},
-    {"compare", sh::prt::add_compare_command},   {"splats", sh::prt::add_splats_command}};
+                                 {"view", sh::prt::add_view_command},
+                                 {"grid", sh::prt::add_grid_command},
+                                 {"export", sh::prt::add_export_command},
+                                 {"import", sh::prt::add_import_command},
+                                 {"compare", sh::prt::add_compare_command},
+                                 {"splats", sh::prt::add_splats_command}};
 
 // The command that the first word names, or all of them, for the help and for messages.
 void add_commands(std::string_view first_word, CLI::App& tool) {

@@ -7,17 +7,22 @@ namespace sh::prt {
 
 namespace {
 
-// Those of surfaces, then those of volumes, then those of media.
-constexpr std::array<const TransferKind*, 8> kKinds = {&kUnshadowed,       &kShadowed,       &kInterreflected,
-                                                       &kGlossyUnshadowed, &kGlossyShadowed, &kGlossyInterreflected,
-                                                       &kNeighborhood,     &kMedium};
-constexpr std::size_t kSurfaceKinds = 6;
+// Those of `prt bake`, then the others of vertices, then those of volumes, then those of media.
+constexpr std::array<const TransferKind*, 10> kKinds = {
+    &kUnshadowed,           &kShadowed,    &kInterreflected, &kGlossyUnshadowed, &kGlossyShadowed,
+    &kGlossyInterreflected, &kTranslucent, &kThickness,      &kNeighborhood,     &kMedium};
+constexpr std::size_t kBaked = 6;
+constexpr std::size_t kOfVertices = 8;
 
 }  // namespace
 
-TransferKinds transfer_kinds() { return TransferKinds(kKinds).first(kSurfaceKinds); }
+TransferKinds transfer_kinds() { return TransferKinds(kKinds).first(kBaked); }
 
-TransferKinds volume_kinds() { return TransferKinds(kKinds).subspan(kSurfaceKinds, 1); }
+TransferKinds surface_kinds() { return TransferKinds(kKinds).first(kBaked + 1); }
+
+TransferKinds vertex_kinds() { return TransferKinds(kKinds).first(kOfVertices); }
+
+TransferKinds volume_kinds() { return TransferKinds(kKinds).subspan(kOfVertices, 1); }
 
 TransferKinds medium_kinds() { return TransferKinds(kKinds).last(1); }
 

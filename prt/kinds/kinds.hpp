@@ -35,6 +35,8 @@ struct TransferKind {
   bool any_result = false;
   /// True if the receivers are inside a medium, whose density (Transfer::density) goes with their transfer.
   bool in_medium = false;
+  /// True if the numbers are lengths by direction, in the unit of the scene, and meet no light.
+  bool is_length = false;
 
   /// True if a vertex keeps the radiance that reaches it, as a function of direction, and its material decides at run
   /// time what leaves it towards the eye.
@@ -72,6 +74,11 @@ extern const TransferKind kGlossyUnshadowed;
 extern const TransferKind kGlossyShadowed;
 extern const TransferKind kGlossyInterreflected;
 
+/// Bodies that let light through (DT): diffuse surfaces with the light that goes through what is behind them
+/// (prt/translucent/bake_translucent.hpp); and the thickness of bodies by direction (TH).
+extern const TransferKind kTranslucent;
+extern const TransferKind kThickness;
+
 /// The space around an object [SloanKautzSnyder02, section 8] (N): every point of a grid keeps the part of the sphere that
 /// the object does not block.
 extern const TransferKind kNeighborhood;
@@ -82,9 +89,12 @@ extern const TransferKind kMedium;
 
 using TransferKinds = std::span<const TransferKind* const>;
 
-/// The kinds of surfaces, whose receivers are vertices; those of volumes around objects and those of media, whose receivers
-/// are the points of a grid; and all that a file may have.
+/// The kinds that `prt bake` makes, whose receivers are vertices; these and DT, with which light shows surfaces; all whose
+/// receivers are vertices; those of volumes around objects and those of media, whose receivers are the points of a grid;
+/// and all that a file may have.
 TransferKinds transfer_kinds();
+TransferKinds surface_kinds();
+TransferKinds vertex_kinds();
 TransferKinds volume_kinds();
 TransferKinds medium_kinds();
 TransferKinds file_kinds();

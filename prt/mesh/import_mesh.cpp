@@ -285,9 +285,11 @@ class Collector {
     }
     finish.emission = change.emission.value_or(finish.emission);
     if (change.reflection) finish.mirror = change.reflection->mirror;
+    finish.translucence = change.translucence;
     finish.gloss.brdf = brdf_of(material);
     finish.gloss = change.gloss.value_or(finish.gloss);
     finish.is_two_sided =
+        !change.translucence &&
         change.is_two_sided.value_or(material_value<int>(material, AI_MATKEY_TWOSIDED).value_or(0) != 0);
     return finish;
   }

@@ -14,6 +14,7 @@
 #include "prt/material/normal_map.hpp"
 #include "prt/material/pictures.hpp"
 #include "prt/material/reflectance.hpp"
+#include "prt/material/translucence.hpp"
 #include "prt/mesh/atlas.hpp"
 #include "prt/mesh/frame.hpp"
 
@@ -22,8 +23,8 @@ namespace sh::prt {
 using Face = std::array<std::uint32_t, 3>;
 
 /// Triangles, counterclockwise as seen from outside. All vertex arrays have one length, except that `emission`, `mirror`,
-/// `specular` with `exponent`, `brdf`, `normal_map`, `albedo_map` with `tint`, `texture`, and `chart` with `atlas`, are empty
-/// if the whole mesh has none. Vertices without faces are texels of an atlas.
+/// `specular` with `exponent`, `brdf`, `normal_map`, `albedo_map` with `tint`, `texture`, `translucence`, and `chart` with
+/// `atlas`, are empty if the whole mesh has none. Vertices without faces are texels of an atlas.
 /// `remap` has one entry for each vertex of the mesh files, in the order of the scene; several vertices of a file map
 /// to one vertex here if position, normal, albedo and finish agree. It is empty for a mesh made in code.
 struct Mesh {
@@ -42,6 +43,7 @@ struct Mesh {
   std::vector<std::uint16_t> albedo_map;           // 1 + number in `albedo_maps`; 0: none. `albedo` is then a mean
                                                    // of the picture around the vertex
   std::vector<Eigen::Vector3f> tint;               // linear RGB: the albedo of a place is this times the picture there
+  std::vector<std::uint16_t> translucence;         // 1 + number in `translucences`, a face has one; 0: opaque
   std::vector<Eigen::Vector2f> chart;              // place in an atlas
   std::vector<std::uint16_t> atlas;                // 1 + number in `atlases`; 0: none
   std::vector<Face> faces;
@@ -49,6 +51,7 @@ struct Mesh {
   Reflectances brdfs;
   NormalMaps normal_maps;
   Pictures albedo_maps;
+  Translucences translucences;  // not in files
   Atlases atlases;
   Frame frame;
 

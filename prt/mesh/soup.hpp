@@ -45,7 +45,8 @@ struct Finish {
   Gloss gloss;
   std::shared_ptr<const NormalMap> normal_map;
   VariedMaterial varied;
-  bool is_two_sided = false;  // both sides are fronts
+  std::optional<Translucence> translucence;  // of the body behind it
+  bool is_two_sided = false;                 // both sides are fronts
   /// Whether it needs texture coordinates.
   [[nodiscard]] bool has_pictures() const { return normal_map != nullptr || varied.any(); }
   bool operator==(const Finish&) const = default;
@@ -63,6 +64,7 @@ struct MaterialChange {
   std::optional<Gloss> gloss;
   std::shared_ptr<const NormalMap> normal_map;
   std::optional<Eigen::Vector3f> emission;
+  std::optional<Translucence> translucence;
   std::optional<bool> is_two_sided;
 };
 
@@ -79,6 +81,7 @@ struct MaterialChanges {
       change.gloss = own.gloss ? own.gloss : change.gloss;
       change.normal_map = own.normal_map ? own.normal_map : change.normal_map;
       change.emission = own.emission ? own.emission : change.emission;
+      change.translucence = own.translucence ? own.translucence : change.translucence;
       change.is_two_sided = own.is_two_sided ? own.is_two_sided : change.is_two_sided;
     }
     return change;

@@ -139,6 +139,9 @@ Mesh weld(const Soup& soup, std::size_t source_vertices) {
                                [](const Finish& finish) { return finish.normal_map.get(); });
   mesh.albedo_map = numbers_of(finish_of_vertex, soup.finishes, mesh.albedo_maps,
                                [](const Finish& finish) { return finish.varied.shown.get(); });
+  mesh.translucence = numbers_of(finish_of_vertex, soup.finishes, mesh.translucences, [](const Finish& finish) {
+    return finish.translucence ? &*finish.translucence : nullptr;
+  });
   if (!mesh.albedo_map.empty()) mesh.tint = mesh.albedo;  // until vary_materials()
   if (std::none_of(soup.finishes.begin(), soup.finishes.end(), std::mem_fn(&Finish::has_pictures)))
     mesh.texture.clear();
@@ -176,6 +179,8 @@ void append(Mesh& mesh, const Mesh& part) {
   append_all_or_zeros(mesh.albedo_map, first, renumbered(part.albedo_map, part.albedo_maps, mesh.albedo_maps),
                       part.positions.size(), std::uint16_t{0});
   append_all_or_zeros(mesh.tint, first, part.tint, part.positions.size(), black);
+  append_all_or_zeros(mesh.translucence, first, renumbered(part.translucence, part.translucences, mesh.translucences),
+                      part.positions.size(), std::uint16_t{0});
   append_atlases(mesh, part);
   append_all(mesh.positions, part.positions);
   append_all(mesh.normals, part.normals);
@@ -190,7 +195,7 @@ void repeat_finish(Mesh& mesh, std::uint32_t vertex) {
     if (!values->empty()) values->push_back(Eigen::Vector3f((*values)[vertex]));
   }
   if (!mesh.exponent.empty()) mesh.exponent.push_back(float{mesh.exponent[vertex]});
-  for (std::vector<std::uint16_t>* numbers : {&mesh.brdf, &mesh.normal_map, &mesh.albedo_map}) {
+  for (std::vector<std::uint16_t>* numbers : {&mesh.brdf, &mesh.normal_map, &mesh.albedo_map, &mesh.translucence}) {
     if (!numbers->empty()) numbers->push_back(std::uint16_t{(*numbers)[vertex]});
   }
 }

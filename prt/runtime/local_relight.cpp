@@ -162,9 +162,10 @@ std::vector<Eigen::Vector3f> relight_locally(const Transfer& transfer, const Lig
                                              std::span<const LightCoefficients> lights, const Shading& shading) {
   const std::size_t vertices = transfer.mesh.positions.size();
   const std::size_t k = lights.size();
-  if (transfer.kind->has_bounces()) {
+  if (transfer.shape.holds_albedo) {
     throw std::invalid_argument(
-        "local lighting needs unshadowed or shadowed transfer; with bounces light comes from other places too");
+        "local lighting needs unshadowed or shadowed transfer; with bounces, or through bodies, light comes from other "
+        "places too");
   }
   if (k == 0 || samples.weights.size() != k * vertices) {
     throw std::invalid_argument(

@@ -25,9 +25,9 @@ void Shading::require_fit(const Transfer& transfer, int highest) const {
     throw std::invalid_argument(
         "--recolor: a measured BRDF brings its own colors; only other surfaces can be recolored");
   }
-  if (!recolor.empty() && transfer.kind->has_bounces()) {
+  if (!recolor.empty() && (transfer.kind->has_bounces() || transfer.shape.holds_albedo)) {
     throw std::invalid_argument(
-        "--recolor: transfer with bounces holds its albedo; only kinds without bounces can be recolored");
+        "--recolor: transfer with bounces or light through bodies holds its albedo; only other kinds can be recolored");
   }
   if (!lobe.empty()) require_lobe(transfer);
 }

@@ -23,6 +23,7 @@ namespace {
 
 constexpr float kDefaultCrease = 40.0F;  // degrees
 constexpr int kMaxSegments = 4096;
+constexpr float kDefaultIor = 1.3F;
 
 Eigen::Vector3d read_scale(const JsonReader& reader) {
   return reader.is("array") ? reader.point() : Eigen::Vector3d::Constant(reader.real());
@@ -71,15 +72,16 @@ ImportedMesh read_shape(const JsonReader& reader, const std::string& folder, con
   shape.soup.finishes[0].gloss = change.gloss.value_or(Gloss());
   shape.soup.finishes[0].normal_map = change.normal_map;
   shape.soup.finishes[0].emission = change.emission.value_or(Eigen::Vector3f::Zero());
+  shape.soup.finishes[0].translucence = change.translucence;
   shape.soup.finishes[0].is_two_sided = change.is_two_sided.value_or(false);
   return shape;
 }
 
-// A mirror has no albedo unless the scene gives one.
+// A mirror and a body that lets light through have no albedo unless the scene gives one.
 std::optional<Reflection> read_reflection(const JsonReader& reader) {
   const auto albedo = reader.find("albedo");
   const auto mirror = reader.find("mirror");
-  if (!albedo && !mirror) return std::nullopt;
+  if (!albedo && !mirror && !reader.find("translucent") && !reader.find("subsurface")) return std::nullopt;
   Reflection reflection;
   if (albedo) reflection.albedo = albedo->vector_within(0.0F, 1.0F);
   if (mirror) reflection.mirror = mirror->vector_within(0.0F, 1.0F);
@@ -135,6 +137,34 @@ void read_brdf(const JsonReader& reader, const std::string& folder, OnFlaw on_fl
   }
 }
 
+// Rates of light in a body by color, 1 / unit.
+Eigen::Vector3f read_rates(const JsonReader& reader, bool positive) {
+  const Eigen::Vector3f rates = reader.vector_within(0.0F, std::numeric_limits<float>::max());
+  if (positive && !(rates.minCoeff() > 0.0F)) reader.expected("three positive numbers");
+  return rates;
+}
+
+std::optional<Translucence> read_translucence(const JsonReader& reader) {
+  const auto straight = reader.find("translucent");
+  const auto scatters = reader.find("subsurface");
+  if (!straight && !scatters) return std::nullopt;
+  if (straight && scatters) reader.expected("`translucent` or `subsurface`, not both");
+  Translucence material;
+  if (straight) {
+    straight->allow({"transmission", "extinction"});
+    material.transmission = straight->at("transmission").vector_within(0.0F, 1.0F);
+    material.extinction = read_rates(straight->at("extinction"), false);
+    return material;
+  }
+  scatters->allow({"absorption", "scattering", "ior"});
+  material.absorption = read_rates(scatters->at("absorption"), false);
+  material.scattering = read_rates(scatters->at("scattering"), true);
+  material.ior = kDefaultIor;
+  scatters->take("ior", material.ior, &JsonReader::number, static_cast<double>(kLeastIor),
+                 static_cast<double>(kLargestIor), "an index of refraction from 1 to 3");
+  return material;
+}
+
 MaterialChange read_material(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
   MaterialChange change;
   change.reflection = read_reflection(reader);
@@ -144,6 +174,10 @@ MaterialChange read_material(const JsonReader& reader, const std::string& folder
     change.normal_map = std::make_shared<NormalMap>(read_normal_map(beside(folder, map->text()), on_flaw));
   }
   reader.take("emission", change.emission, &JsonReader::vector_within, 0.0F, std::numeric_limits<float>::max());
+  change.translucence = read_translucence(reader);
+  if (const auto sides = reader.find("sides"); change.translucence && sides && sides->integer(1, 2) == 2) {
+    sides->expected("one side of a body that lets light through");
+  }
   reader.take("sides", change.is_two_sided, [](const JsonReader& value) { return value.integer(1, 2) == 2; });
   return change;
 }
@@ -154,7 +188,7 @@ MaterialChanges read_materials(const JsonReader& mesh, const std::string& folder
   if (const auto materials = mesh.find("materials")) {
     for (const auto& [name, material] : materials->members()) {
       material.allow({"albedo", "brdf", "emission", "exponent", "metallic", "mirror", "normal_map", "roughness",
-                      "sides", "specular"});
+                      "sides", "specular", "subsurface", "translucent"});
       changes.by_name[name] = read_material(material, folder, on_flaw);
     }
   }
@@ -272,9 +306,9 @@ Mesh finish_mesh(MeshPart part, const Frame& frame, OnFlaw on_flaw) {
 }
 
 MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
-  reader.allow({"file",     "primitive", "segments",  "transform", "up",   "albedo",     "mirror",
-                "specular", "exponent",  "roughness", "metallic",  "brdf", "normal_map", "emission",
-                "sides",    "materials", "max_edge",  "crease",    "flip", "texels"});
+  reader.allow({"file",     "primitive", "segments", "transform", "up",         "albedo",     "mirror", "specular",
+                "exponent", "roughness", "metallic", "brdf",      "normal_map", "emission",   "sides",  "materials",
+                "max_edge", "crease",    "flip",     "texels",    "subsurface", "translucent"});
   const MaterialChanges changes = read_materials(reader, folder, on_flaw);
   MeshPart part;
   part.crease_degrees = kDefaultCrease;

@@ -210,6 +210,9 @@ Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   Eigen::AlignedBox3d box;
   for (const JsonReader& mesh : meshes.items()) {
     parts.push_back(read_mesh(mesh, folder, on_flaw));
+    for (Finish& finish : parts.back().soup.finishes) {
+      if (finish.translucence) finish.translucence->body = static_cast<std::uint32_t>(parts.size());
+    }
     if (result.normal_map_entry.empty()) result.normal_map_entry = parts.back().normal_map_entry;
     box.extend(bounding_box(parts.back().soup.positions));
   }

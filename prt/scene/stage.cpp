@@ -77,7 +77,7 @@ StageObject read_object(const JsonReader& reader, const std::string& folder, Tra
   const auto light_at = reader.find("light_at");
   object.per_vertex = light_at && light_at->one_of({"center", "vertices"}) == "vertices";
   object.file = beside(folder, object.name);
-  object.transfer = read_once(object.file, transfer_kinds(), transfers.surfaces);
+  object.transfer = read_once(object.file, surface_kinds(), transfers.surfaces);
   if (object.per_vertex && object.transfer->shape.channels != 1) {
     light_at->expected("`center` for transfer with bounces, which needs one light for the whole object");
   }

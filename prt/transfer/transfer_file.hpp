@@ -12,7 +12,7 @@ void write_transfer(const std::string& path, const Transfer& transfer);
 /// Reads and checks everything. Throws std::runtime_error with one line for a file that is missing, truncated, followed
 /// by further bytes, changed anywhere, or of a later version. Checks all sizes against the file's size before it
 /// allocates memory. `kinds` are the accepted kinds.
-Transfer read_transfer(const std::string& path, TransferKinds kinds = transfer_kinds());
+Transfer read_transfer(const std::string& path, TransferKinds kinds = surface_kinds());
 
 /// Whether a file can be read and begins as a transfer file does.
 bool is_transfer_file(const std::string& path);

@@ -273,6 +273,9 @@ std::string_view holds(const Transfer& transfer) {
     return "visibility V, 1 where the object blocks nothing: V times the light, on the bands of the result, reaches "
            "the point";
   }
+  if (transfer.kind->is_length) {
+    return "thickness: sum_i T_i Y_i(s) is the distance through the body from the vertex in direction s, into the body";
+  }
   if (shape.meets == Meets::kNothing) return "nothing: the light itself reaches every vertex";
   if (shape.meets == Meets::kOperator) {
     return "visibility V, 1 towards the sky: V times the light, on the bands of the light, reaches the vertex";
@@ -417,7 +420,8 @@ std::string transfer_header(const Transfer& transfer) {
                  {"holds", holds(transfer)},
                  {"convention", "real SH, orthonormal, no Condon-Shortley phase, i = l(l+1)+m, band 1 is (y,z,x)"},
                  {"axes", "right-handed, z up"},
-                 {"units", transfer.shape.holds_cosine
+                 {"units", transfer.kind->is_length ? "positions and thickness: the scene's"
+                           : transfer.shape.holds_cosine
                                ? "positions: the scene's; transfer: radiance out over radiance in, no unit"
                                : "positions: the scene's; transfer: visibility, no unit"},
                  {"colour_space", "albedo: linear RGB, 0..1"}});

@@ -30,7 +30,7 @@ export interface Shape {
 export interface Transfer {
   header: Record<string, unknown>;
   scene: string;
-  kind: 'DU' | 'DS' | 'DI' | 'GU' | 'GS' | 'GI';
+  kind: 'DU' | 'DS' | 'DI' | 'DT' | 'GU' | 'GS' | 'GI';
   isGlossy: boolean;
   shape: Shape;
   indirect: Shape | null;

@@ -220,7 +220,10 @@ constexpr std::array kWords = {"bake",
                                "n.transfer",
                                "space.json",
                                "--log",
-                               "json"};
+                               "json",
+                               "translucent",
+                               "--thickness",
+                               "t.json"};
 static_assert(kWords.size() <= 256);
 
 // The triangles with these corners; assimp reads it without the megabytes that other formats take.
@@ -242,6 +245,10 @@ class Workplace {
     std::filesystem::current_path(folder_.path());
     write_all("a.stl", stl({"0 0 0", "1 0 0", "1 1 0", "0 0 0", "1 1 0", "0 1 0", "0 0 0", "1 0 0", "0 0 1"}));
     write_all("a.json", R"({"meshes": [{"file": "a.stl"}], "lights": [{"type": "directional", "direction": [0, 1, 1]}],
+                            "bake": {"degree": 1, "directions": 16}})");
+    write_all("t.json",
+              R"({"meshes": [{"file": "a.stl", "translucent": {"transmission": [1, 1, 1], "extinction": [1, 1, 1]}},
+                                       {"file": "a.stl", "subsurface": {"absorption": [1, 1, 1], "scattering": [9, 9, 9]}}],
                             "bake": {"degree": 1, "directions": 16}})");
     write_all("stage.json",
               R"({"objects": [{"transfer": "a.transfer"}, {"transfer": "a.transfer", "position": [2, 0, 0],
@@ -322,8 +329,8 @@ bool is_small_option(const std::vector<std::string>& words, std::string_view opt
 // Whether a command line that says more than "no such command" begins with this word.
 bool may_begin(std::string_view word) {
   const auto* const end = kWords.begin() + kFirstWords;
-  constexpr std::array<std::string_view, 9> kLaterCommands{"fix-view", "grid",     "view",   "export", "import",
-                                                           "splats",   "light-at", "probes", "volume"};
+  constexpr std::array<std::string_view, 10> kLaterCommands{"fix-view", "grid",     "view",   "export", "import",
+                                                            "splats",   "light-at", "probes", "volume", "translucent"};
   return std::find(kWords.begin(), end, word) != end || std::ranges::find(kLaterCommands, word) != kLaterCommands.end();
 }
 
@@ -362,7 +369,8 @@ bool is_quick(const std::vector<std::string>& words) {
 // Whether the words name the file as output and nowhere else, neither themselves nor in a scene or stage.
 bool is_only_output(const std::string& file, const std::vector<std::string>& words) {
   const auto named = std::find(words.begin(), words.end(), file);
-  constexpr std::array<std::array<const char*, 2>, 6> kReads{{{"a.json", "a.stl"},
+  constexpr std::array<std::array<const char*, 2>, 7> kReads{{{"a.json", "a.stl"},
+                                                              {"t.json", "a.stl"},
                                                               {"stage.json", "a.transfer"},
                                                               {"m.json", "m.nrrd"},
                                                               {"space.json", "a.transfer"},

@@ -15,7 +15,8 @@ let largest = 0;
 /** Bakes, relights with the tool, opens the page, compares. `expects` looks at the header of the file. */
 async function compare(name, sceneOptions, words, expects = () => {}) {
   scene(`${name}.json`, sceneOptions);
-  prt('bake', `${name}.json`, '-o', `${name}.transfer`, '--no-checkpoint', ...words);
+  prt(words[0] === 'translucent' ? 'translucent' : 'bake', `${name}.json`, '-o', `${name}.transfer`, '--no-checkpoint',
+    ...words.filter((word) => word !== 'translucent'));
   expects(JSON.parse(prt('info', `${name}.transfer`)));
   const light = writeJson(`${name}-light.json`, sceneOptions.lights ?? kLights);
   prt('relight', `${name}.transfer`, '--light', light, '-o', `${name}.ply`, '--eye', 3, -4, 3);
@@ -80,6 +81,11 @@ test('Clustered rows agree', async () => {
 
 test('Emitted light is added', async () => {
   await compare('emitting', { mesh: { emission: [0.3, 0.2, 0.1] } }, ['--kind', 'interreflected', ...kNoLoss]);
+});
+
+test('Light through bodies agrees', async () => {
+  const mesh = { albedo: [0.1, 0.1, 0.1], translucent: { transmission: [0.4, 0.6, 0.2], extinction: [1, 1, 2] } };
+  await compare('translucent', { mesh }, ['translucent'], (info) => assert.equal(info.kind, 'DT'));
 });
 
 test('Meshes in a frame of their own agree', async () => {

@@ -12,6 +12,7 @@ const kMeanings = {
   GS: 'visibility: 1 where the vertex sees the sky', GU: 'nothing: the light itself reaches the vertex',
 };
 kMeanings.DS = kMeanings.DU;
+kMeanings.DT = kMeanings.DI;
 kMeanings.GI = kMeanings.GS;
 
 export const element = (id) => document.getElementById(id);

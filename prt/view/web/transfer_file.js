@@ -49,6 +49,7 @@ const kKinds = {
   GU: { ...kGlossy, highest: kMaxDegree, meets: 'nothing' },
   GS: kGlossy,
   GI: { ...kGlossy, bounces: true, indirect: true },
+  DT: { ...kDiffuse, channels: 3, albedo: true },
 };
 
 /** What is wrong with a file, as one line; the name of the file is left to who catches it. */

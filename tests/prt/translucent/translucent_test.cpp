@@ -1,0 +1,435 @@
+// Light through bodies against closed forms: slabs, spheres and half-spaces; what blocks it; thickness.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/exp_sinh.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/math/special_functions/expint.hpp>
+#include <boost/math/special_functions/legendre.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "prt/basis.hpp"
+#include "prt/transfer/transfer_file.hpp"
+#include "prt/transfer/unshadowed.hpp"
+#include "prt/translucent/bake_translucent.hpp"
+#include "prt/translucent/dipole.hpp"
+#include "prt/translucent/surface_scatter.hpp"
+#include "tests/prt/rooms.hpp"
+#include "tests/prt/temporary_folder.hpp"
+
+namespace sh::prt::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kDegree = 4;
+constexpr std::size_t kCount = coefficient_count(kDegree);
+
+Translucence straight(float extinction, float transmission = 1.0F) {
+  return {.transmission = Eigen::Vector3f::Constant(transmission), .extinction = Eigen::Vector3f::Constant(extinction)};
+}
+
+Translucence scattering(float absorption, float scattering, float ior = 1.3F) {
+  return {.absorption = Eigen::Vector3f::Constant(absorption),
+          .scattering = Eigen::Vector3f::Constant(scattering),
+          .ior = ior};
+}
+
+Mesh of_material(Mesh mesh, const Translucence& material) {
+  mesh.translucence.assign(mesh.positions.size(),
+                           static_cast<std::uint16_t>(1 + mesh.translucences.number_of(material)));
+  paint(mesh, Eigen::Vector3f::Zero());
+  return mesh;
+}
+
+/// A plate of this thickness and width, its top at z = 0; each face has vertices inside.
+Mesh plate(float thickness, float width = 2.0F, float longest = 0.5F) {
+  Mesh mesh = primitive_mesh(
+      "box", 3,
+      Eigen::Translation3f(0.0F, 0.0F, -0.5F * thickness) * Eigen::Affine3f(Eigen::Scaling(width, width, thickness)));
+  refine(mesh, longest);
+  return mesh;
+}
+
+Mesh moved(Mesh mesh, const Eigen::Vector3f& by) {
+  for (Eigen::Vector3f& position : mesh.positions) position += by;
+  return mesh;
+}
+
+/// The vertex with this normal that is nearest to a point.
+std::size_t vertex_at(const Mesh& mesh, const Eigen::Vector3f& point, const Eigen::Vector3f& normal) {
+  std::size_t best = mesh.positions.size();
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (mesh.normals[v].dot(normal) < 0.99F) continue;
+    if (best == mesh.positions.size() || (mesh.positions[v] - point).norm() < (mesh.positions[best] - point).norm()) {
+      best = v;
+    }
+  }
+  return best;
+}
+
+std::size_t top_of(const Mesh& mesh) { return vertex_at(mesh, Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ()); }
+
+Transfer translucent(const Mesh& mesh, int directions = 4096) {
+  return bake_translucent(BakeJob(scene_of(mesh, &kShadowed, directions, kDegree)));
+}
+
+Transfer thick(const Mesh& mesh, int directions = 4096, const BakeSettings& settings = {}) {
+  return bake_thickness(BakeJob(scene_of(mesh, &kShadowed, directions, kDegree), settings));
+}
+
+/// Coefficients of a function f(cosine with axis).
+template <class Function>
+std::vector<double> zonal_about(const Eigen::Vector3d& axis, const Function& f) {
+  boost::math::quadrature::tanh_sinh<double> rule;
+  std::vector<double> result(kCount);
+  evaluate_basis(kDegree, axis.x(), axis.y(), axis.z(), result.data());
+  for (int l = 0; l <= kDegree; ++l) {
+    const double factor =
+        2.0 * kPi * rule.integrate([&](double u) { return f(u) * boost::math::legendre_p(l, u); }, 0.0, 1.0);
+    band(result.data(), l) *= factor;
+  }
+  return result;
+}
+
+std::vector<double> mixed(double a, const std::vector<float>& x, double b, const std::vector<float>& y) {
+  std::vector<double> sum(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) sum[i] = a * static_cast<double>(x[i]) + b * static_cast<double>(y[i]);
+  return sum;
+}
+
+const std::vector<float>& open_row(const Eigen::Vector3f& normal) {
+  static std::vector<float> row;
+  return row = unshadowed_transfer(kDegree, {normal});
+}
+
+TEST(Dipole, OverAPlaneIsItsIntegral) {
+  boost::math::quadrature::exp_sinh<double> rule;
+  for (const auto& [absorption, reduced] : {std::pair(0.01, 1.0), {1.0, 1.0}, {5.0, 20.0}, {1e-6, 1e3}}) {
+    for (const double ior : {1.0, 1.3, 3.0}) {
+      const Dipole dipole(absorption, reduced, ior);
+      for (const double height : {0.0, 0.1 * dipole.depth(), 3.0 * dipole.depth()}) {
+        const double sum = rule.integrate([&](double t) {
+          const double r = t * dipole.depth();
+          return 2.0 * kPi * r * dipole.depth() * dipole.at(r * r + height * height);
+        });
+        EXPECT_NEAR(sum, dipole.of_plane(height), 1e-7) << absorption << ' ' << reduced << ' ' << ior << ' ' << height;
+      }
+    }
+  }
+}
+
+// [JensenMarschnerLevoyHanrahan01, section 2.4]: the diffuse reflectance of a half-space.
+TEST(Dipole, OfAHalfSpaceIsTheReflectanceOfItsSource) {
+  for (const double albedo : {0.1, 0.5, 0.9, 0.999}) {
+    for (const double ior : {1.0, 1.3, 1.5}) {
+      const double inside = diffuse_fresnel(ior);
+      const double root = std::sqrt(3.0 * (1.0 - albedo));
+      const double expected =
+          0.5 * albedo * (1.0 + std::exp(-4.0 / 3.0 * (1.0 + inside) / (1.0 - inside) * root)) * std::exp(-root);
+      EXPECT_NEAR(Dipole(7.0 * (1.0 - albedo), 7.0 * albedo, ior).of_plane(0.0), expected, 1e-14);
+    }
+  }
+}
+
+TEST(Dipole, WithoutAbsorptionGivesAllLightBack) {
+  for (const double ior : {1.0, 1.3, 3.0}) EXPECT_DOUBLE_EQ(Dipole(0.0, 2.0, ior).of_plane(0.0), 1.0);
+}
+
+// Sizes of a ten-millionth and of ten million are the same body in other units.
+TEST(Dipole, HasNoUnitOfItsOwn) {
+  const Dipole one(0.3, 2.0, 1.3);
+  for (const double unit : {1e-7, 1e7}) {
+    const Dipole other(0.3 / unit, 2.0 / unit, 1.3);
+    EXPECT_NEAR(other.at(4.0 * unit * unit) * unit * unit / one.at(4.0), 1.0, 1e-13);
+  }
+}
+
+TEST(Scattered, OfASlabIsThatOfItsTwoPlanes) {
+  constexpr float kThickness = 0.05F;
+  const Translucence material = scattering(5.0F, 20.0F);
+  const Mesh mesh = of_material(plate(kThickness), material);
+  const Dipole dipole(5.0, 20.0, static_cast<double>(material.ior));
+  const std::vector<float> up = open_row(Eigen::Vector3f::UnitZ());
+  const std::vector<double> expected = mixed(dipole.of_plane(0.0), up, dipole.of_plane(static_cast<double>(kThickness)),
+                                             open_row(-Eigen::Vector3f::UnitZ()));
+  const std::size_t top = top_of(mesh);
+  EXPECT_LT(row_error(translucent(mesh), top, expected), 2e-3);
+  // Finer groups and pieces converge to it; 4e-6 of the light is at the narrow sides.
+  const std::vector<float> arriving = baked(mesh, &kShadowed, 256, kDegree).coefficients;
+  double coarser = 1.0;
+  for (const double far : {0.4, 0.1}) {
+    std::vector<float> rows(mesh.positions.size() * 3 * kCount, 0.0F);
+    add_scattered(mesh, arriving, kCount, rows, far);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      worst = std::max(worst, std::abs(static_cast<double>(rows[top * 3 * kCount + i]) - expected[i]));
+    }
+    EXPECT_LT(worst, 0.25 * coarser) << far;
+    coarser = worst;
+  }
+  EXPECT_LT(coarser, 5e-5);
+}
+
+// A mesh needs no vertices for lengths that it does not show.
+TEST(Scattered, OfLengthsFarBelowAnEdgeIsDiffuseReflection) {
+  for (const float rate : {1e3F, 1e6F}) {
+    const Translucence material = scattering(0.1F * rate, rate);
+    const Mesh mesh = of_material(primitive_mesh("sphere", 24), material);
+    const Transfer transfer = translucent(mesh, 256);
+    const double reflectance = Dipole(0.1, 1.0, static_cast<double>(material.ior)).of_plane(0.0);
+    for (const std::size_t v : {std::size_t{0}, mesh.positions.size() / 2}) {
+      const std::vector<float> open = open_row(mesh.normals[v]);
+      EXPECT_LT(row_error(transfer, v, mixed(reflectance, open, 0.0, open)), 3e-3) << rate;
+    }
+  }
+}
+
+// Where light goes much farther than the body is large, hardly any of it comes back.
+TEST(Scattered, OfLengthsFarAboveTheBodyIsNothing) {
+  const Transfer transfer = translucent(of_material(primitive_mesh("sphere", 24), scattering(0.0F, 1e-6F)), 64);
+  for (const float number : transfer.coefficients) EXPECT_LT(std::abs(number), 1e-9F);
+}
+
+TEST(Scattered, IsOfThreeColors) {
+  Translucence material = scattering(5.0F, 20.0F);
+  material.absorption = {0.1F, 5.0F, 50.0F};
+  const Mesh mesh = of_material(plate(0.5F), material);
+  const Transfer transfer = translucent(mesh, 256);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float absorption = material.absorption[static_cast<Eigen::Index>(c)];
+    const Transfer one = translucent(of_material(plate(0.5F), scattering(absorption, 20.0F)), 256);
+    EXPECT_NEAR(transfer.row(top_of(mesh))[c * kCount], one.row(top_of(mesh))[0], 2e-3F) << absorption;
+  }
+}
+
+TEST(Scattered, StaysInItsBody) {
+  Mesh two = of_material(plate(0.1F), scattering(1.0F, 20.0F));
+  const std::size_t top = top_of(two);
+  Mesh below = moved(plate(0.1F), {0.0F, 0.0F, -0.101F});
+  below.translucence.assign(below.positions.size(), static_cast<std::uint16_t>(1 + below.translucences.number_of([] {
+                              Translucence other = scattering(1.0F, 20.0F);
+                              other.body = 1;
+                              return other;
+                            }())));
+  paint(below, Eigen::Vector3f::Zero());
+  append(two, below);
+  // The bottom of the upper plate is dark now, and the lower plate gives it nothing.
+  Mesh covered = of_material(plate(0.1F), scattering(1.0F, 20.0F));
+  append(covered, moved(plate(0.1F), {0.0F, 0.0F, -0.101F}));
+  EXPECT_EQ(translucent(two, 1024).row(top)[0], translucent(covered, 1024).row(top)[0]);
+}
+
+TEST(Transmitted, ThroughASlabFallsAsBeerAndLambertSay) {
+  constexpr double kThickness = 0.05;
+  for (const double extinction : {0.0, 2.0, 20.0, 200.0}) {
+    const Mesh mesh =
+        of_material(plate(static_cast<float>(kThickness), 8.0F, 1.0F), straight(static_cast<float>(extinction), 0.8F));
+    const auto passed = [&](double u) {
+      return u > 0.0 ? 0.8 * std::exp(-extinction * kThickness / u) * u / kPi : 0.0;
+    };
+    const std::vector<double> expected = zonal_about(-Eigen::Vector3d::UnitZ(), passed);
+    EXPECT_LT(row_error(translucent(mesh), top_of(mesh), expected), extinction == 0.0 ? 1e-6 : 1e-3) << extinction;
+  }
+}
+
+// 2 E_3(optical depth) of a constant light.
+TEST(Transmitted, OfConstantLightIsAnExponentialIntegral) {
+  const Mesh mesh = of_material(plate(0.05F, 8.0F, 1.0F), straight(20.0F));
+  const double expected = 2.0 * boost::math::expint(3, 1.0);
+  EXPECT_NEAR(static_cast<double>(translucent(mesh).row(top_of(mesh))[0] * kRoot4Pi), expected, 2e-3);
+}
+
+TEST(Transmitted, ThroughAClearConvexBodyIsTheLightBehindIt) {
+  for (const char* primitive : {"sphere", "box"}) {
+    const Mesh mesh = of_material(with_one_normal(primitive), straight(0.0F));
+    const Transfer transfer = translucent(mesh, 512);
+    for (std::size_t v = 0; v < mesh.positions.size(); v += 7) {
+      EXPECT_LT(row_error(transfer, v, open_row(-mesh.normals[v])), 2e-6) << primitive << ' ' << v;
+    }
+  }
+}
+
+TEST(Transmitted, GoesThroughAllBodiesOnItsWay) {
+  const Translucence material = straight(4.0F);
+  const Mesh one = of_material(plate(0.1F, 8.0F, 1.0F), material);
+  Mesh two = of_material(plate(0.05F, 8.0F, 1.0F), material);
+  append(two, of_material(moved(plate(0.05F, 8.0F, 1.0F), {0.0F, 0.0F, -0.06F}), material));
+  const Transfer through_two = translucent(two);
+  const Transfer through_one = translucent(one);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    EXPECT_NEAR(through_two.row(top_of(two))[i], through_one.row(top_of(one))[i], 1e-3F) << i;
+  }
+}
+
+// What overlaps counts once: the ray is inside until it has left all that it entered.
+TEST(Transmitted, CountsBodiesThatOverlapOnce) {
+  const Translucence material = straight(4.0F);
+  const Mesh one = of_material(plate(0.15F, 8.0F, 1.0F), material);
+  Mesh two = of_material(plate(0.1F, 8.0F, 1.0F), material);
+  append(two, of_material(moved(plate(0.1F, 7.0F, 1.0F), {0.0F, 0.0F, -0.05F}), material));
+  EXPECT_NEAR(translucent(two).row(top_of(two))[0], translucent(one).row(top_of(one))[0], 1e-3F);
+}
+
+TEST(Transmitted, IsBlockedByWhatIsOpaque) {
+  const Mesh body = of_material(plate(0.05F), straight(1.0F));
+  const std::size_t top = top_of(body);
+  Mesh over_ground = body;
+  append(
+      over_ground,
+      primitive_mesh("plane", 3, Eigen::Translation3f(0.0F, 0.0F, -0.06F) * Eigen::Affine3f(Eigen::Scaling(200.0F))));
+  EXPECT_LT(std::abs(translucent(over_ground).row(top)[0]), 2e-3F);
+  Mesh with_core = body;  // an opaque core inside
+  append(with_core, moved(plate(0.02F, 1.9F), {0.0F, 0.0F, -0.02F}));
+  EXPECT_LT(translucent(with_core).row(top)[0], 0.1F * translucent(body).row(top)[0]);
+}
+
+TEST(Transmitted, TurnsWithItsBody) {
+  const Eigen::Matrix3f turn = Eigen::AngleAxisf(1.0F, Eigen::Vector3f(1.0F, 2.0F, 3.0F).normalized()).matrix();
+  Mesh mesh = of_material(primitive_mesh("torus", 24), straight(1.5F));
+  Mesh turned = mesh;
+  for (auto* vectors : {&turned.positions, &turned.normals, &turned.geometric_normals}) {
+    for (Eigen::Vector3f& vector : *vectors) vector = turn * vector;
+  }
+  const Transfer first = translucent(mesh, 8192);
+  const Transfer second = translucent(turned, 8192);
+  for (std::size_t v = 0; v < mesh.positions.size(); v += 97) {
+    std::array<float, kCount> expected{};
+    rotate_function<float>(kDegree, turn, first.row(v), expected.data());
+    EXPECT_LT(row_error(second, v, expected), 6e-3) << v;
+  }
+}
+
+TEST(Translucent, AddsToTheReflectionOfTheFront) {
+  Mesh mesh = of_material(primitive_mesh("sphere", 24), straight(0.5F, 0.25F));
+  const Transfer dark = translucent(mesh, 256);
+  paint(mesh, {0.5F, 0.25F, 0.0F});
+  const Transfer bright = translucent(mesh, 256);
+  const Transfer shadowed = baked(mesh, &kShadowed, 256, kDegree);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    EXPECT_NEAR(bright.row(5)[kCount + i], dark.row(5)[kCount + i] + 0.25F * shadowed.row(5)[i], 1e-6F);
+    EXPECT_EQ(bright.row(5)[2 * kCount + i], dark.row(5)[2 * kCount + i]);
+  }
+}
+
+TEST(Translucent, OfOpaqueSurfacesIsTheirShadowedTransferTimesTheAlbedo) {
+  Mesh mesh = of_material(primitive_mesh("sphere", 12), straight(1.0F));
+  Mesh ground = moved(primitive_mesh("plane", 3), {0.0F, 0.0F, -0.6F});
+  paint(ground, {0.5F, 0.5F, 0.5F});
+  append(mesh, ground);
+  const std::size_t last = mesh.positions.size() - 1;
+  const Transfer transfer = translucent(mesh, 256);
+  const Transfer shadowed = baked(mesh, &kShadowed, 256, kDegree);
+  for (std::size_t i = 0; i < kCount; ++i) EXPECT_EQ(transfer.row(last)[i], 0.5F * shadowed.row(last)[i]);
+}
+
+TEST(Translucent, HasTheSameBitsForAnyNumberOfThreads) {
+  Mesh mesh = of_material(primitive_mesh("torus", 24), scattering(1.0F, 9.0F));
+  append(mesh, of_material(moved(primitive_mesh("torus", 24), {0.0F, 0.0F, 2.0F}), straight(1.0F)));
+  std::vector<float> first;
+  for (const int threads : {1, 2}) {
+    BakeJob job(scene_of(mesh, &kShadowed, 256, kDegree), {.threads = threads});
+    const Transfer transfer = bake_translucent(std::move(job));
+    if (first.empty()) first = transfer.coefficients;
+    EXPECT_EQ(transfer.coefficients, first);
+    EXPECT_EQ(thick(mesh, 256, {.threads = threads}).coefficients, thick(mesh, 256).coefficients);
+  }
+}
+
+// The same body in other units, and far from the origin.
+TEST(Translucent, DependsOnNoUnitAndNoPlace) {
+  const Transfer one = translucent(of_material(primitive_mesh("torus", 16), scattering(1.0F, 9.0F)), 256);
+  const Transfer clear = translucent(of_material(primitive_mesh("torus", 16), straight(2.0F)), 256);
+  const Transfer thickness = thick(primitive_mesh("torus", 16), 256);
+  for (const float unit : {1e-8F, 1024.0F}) {
+    Mesh other = primitive_mesh("torus", 16);
+    for (Eigen::Vector3f& position : other.positions) position *= unit;
+    const Transfer scattered = translucent(of_material(other, scattering(1.0F / unit, 9.0F / unit)), 256);
+    const Transfer passed = translucent(of_material(other, straight(2.0F / unit)), 256);
+    const Transfer scaled = thick(other, 256);
+    EXPECT_LT(largest_difference(scattered, one), 1e-4) << unit;
+    EXPECT_LT(largest_difference(passed, clear), 5e-3) << unit;
+    for (std::size_t i = 0; i < thickness.coefficients.size(); i += 101) {
+      EXPECT_NEAR(scaled.coefficients[i] / unit, thickness.coefficients[i], 0.02F) << unit;
+    }
+  }
+}
+
+TEST(Translucent, IsKeptByFiles) {
+  const TemporaryFolder folder;
+  const Transfer transfer = translucent(of_material(primitive_mesh("sphere", 12), straight(1.0F)), 64);
+  write_transfer(folder.file("a.transfer"), transfer);
+  const Transfer read = read_transfer(folder.file("a.transfer"));
+  EXPECT_EQ(read.coefficients, transfer.coefficients);
+  EXPECT_EQ(read.kind, &kTranslucent);
+  write_transfer(folder.file("t.transfer"), thick(primitive_mesh("sphere", 12), 64));
+  EXPECT_THROW(read_transfer(folder.file("t.transfer")), std::runtime_error);
+  EXPECT_EQ(read_transfer(folder.file("t.transfer"), vertex_kinds()).kind, &kThickness);
+}
+
+TEST(Translucent, RefusesWhatIsImpossible) {
+  const auto refusal = [](Mesh mesh, const std::function<void(BakeJob&)>& change = {}) {
+    BakeJob job(scene_of(std::move(mesh), &kShadowed, 16, 1));
+    if (change) change(job);
+    try {
+      bake_translucent(std::move(job));
+    } catch (const std::invalid_argument& flaw) {
+      return std::string(flaw.what());
+    }
+    return std::string("no refusal");
+  };
+  const Mesh sphere = of_material(primitive_mesh("sphere", 12), straight(1.0F, 0.6F));
+  EXPECT_EQ(refusal(sphere), "no refusal");
+  EXPECT_NE(refusal(primitive_mesh("sphere", 12)).find("no material is translucent"), std::string::npos);
+  Mesh bright = sphere;
+  paint(bright, Eigen::Vector3f::Constant(0.5F));
+  EXPECT_NE(refusal(bright).find("make 1.1 together; expected at most 1"), std::string::npos);
+  Mesh wax = of_material(primitive_mesh("sphere", 12), scattering(0.0F, 9.0F));
+  paint(wax, Eigen::Vector3f::Constant(0.01F));
+  EXPECT_NE(refusal(wax).find("make 1.01 together"), std::string::npos);
+  EXPECT_NE(refusal(sphere, [](BakeJob& job) { job.scene.plan.mode = PlanMode::kLossy; }).find("in no plan"),
+            std::string::npos);
+  EXPECT_NE(refusal(sphere,
+                    [](BakeJob& job) {
+                      job.scene.bake.compress = {4, 2};
+                    })
+                .find("no `compress`"),
+            std::string::npos);
+  EXPECT_NE(refusal(sphere, [](BakeJob& job) { job.settings.checkpoint.shard = {.index = 0, .count = 2}; })
+                .find("expected no shard"),
+            std::string::npos);
+}
+
+// Rays that come out of a surface without its other side tell that it is no body.
+TEST(Translucent, ReportsSurfacesThatAreNotClosed) {
+  const BakeSettings strict{.on_flaw = OnFlaw::kRefuse};
+  const Mesh open = of_material(hollow_sphere(24, 0.0F), straight(1.0F));
+  const auto run = [&](const Mesh& mesh) { bake_translucent(BakeJob(scene_of(mesh, &kShadowed, 256, 1), strict)); };
+  EXPECT_THROW(run(open), std::runtime_error);
+  EXPECT_NO_THROW(run(of_material(primitive_mesh("torus", 24), straight(1.0F))));
+  EXPECT_THROW(thick(primitive_mesh("plane", 3), 64, strict), std::runtime_error);
+  EXPECT_NO_THROW(thick(primitive_mesh("torus", 24), 256, strict));
+}
+
+TEST(Thickness, OfASphereIsItsChord) {
+  const Mesh mesh = primitive_mesh("sphere", 128);  // of radius 1/2
+  const Transfer transfer = thick(mesh);
+  for (const std::size_t v : {std::size_t{0}, mesh.positions.size() / 3, mesh.positions.size() - 1}) {
+    const std::vector<double> expected = zonal_about(-mesh.normals[v].cast<double>(), [](double u) { return u; });
+    EXPECT_LT(row_error(transfer, v, expected), 4e-3) << v;
+  }
+}
+
+TEST(Thickness, IsInTheUnitOfTheScene) {
+  Mesh mesh = primitive_mesh("sphere", 24);
+  const Transfer one = thick(mesh, 256);
+  for (Eigen::Vector3f& position : mesh.positions) position = 4096.0F * position + Eigen::Vector3f(0.0F, 0.0F, 1e6F);
+  const Transfer large = thick(mesh, 256);
+  for (std::size_t i = 0; i < one.coefficients.size(); i += 37) {
+    EXPECT_NEAR(large.coefficients[i] / 4096.0F, one.coefficients[i], 2e-3F);
+  }
+}
+
+}  // namespace
+}  // namespace sh::prt::test
