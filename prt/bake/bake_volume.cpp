@@ -11,6 +11,7 @@
 #include "numeric/output/progress.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/bake/fill_closed.hpp"
+#include "prt/bake/sent_to_points.hpp"
 #include "prt/bake/shadow_pass.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
@@ -25,9 +26,14 @@ constexpr double kMiB = 1048576.0;
 constexpr float kInside = 0.5F;
 
 Transfer without_numbers(const Scene& scene, const VolumeOptions& options, const PointGrid& grid) {
-  Transfer volume = Transfer::of(kNeighborhood, options.degree);
+  const TransferKind& kind = options.reflects ? kReflectingNeighborhood : kNeighborhood;
+  Transfer volume = Transfer::of(kind, options.degree);
   volume.scene = scene.name;
   volume.shape.result_degree = options.result_degree;
+  if (options.reflects) {
+    volume.indirect_shape = kind.indirect(options.degree);
+    volume.indirect_shape.result_degree = options.result_degree;
+  }
   volume.grid = grid;
   volume.directions = static_cast<std::uint32_t>(options.directions);
   volume.sampler = options.sampler;
@@ -36,14 +42,17 @@ Transfer without_numbers(const Scene& scene, const VolumeOptions& options, const
 }
 
 // Numbers, the start and the sight of every point, and the rows of the file where they are not those in memory.
-double bytes_a_point(const TransferShape& shape, Element element) {
+double bytes_a_point(const Transfer& volume, Element element) {
+  const TransferShape& shape = volume.shape;
   const std::size_t encoded = element == Element::kSingle ? 0 : shape.length() * bytes_of(element);
-  return static_cast<double>(shape.length() * sizeof(float) + sizeof(RayStart) + sizeof(Sight) + encoded);
+  const std::size_t matrices =
+      volume.kind->stores_matrices() ? volume.indirect_shape.length() * (sizeof(float) + bytes_of(Element::kHalf)) : 0;
+  return static_cast<double>(shape.length() * sizeof(float) + sizeof(RayStart) + sizeof(Sight) + encoded + matrices);
 }
 
 void require_memory(const Transfer& volume, const VolumeOptions& options, const BakeObserver& say) {
   const double there = options.memory > 0.0 ? options.memory : memory_of_machine();
-  const double each = bytes_a_point(volume.shape, options.element);
+  const double each = bytes_a_point(volume, options.element);
   const double needed = each * static_cast<double>(volume.receivers());
   if (needed > there) {
     const double shrink = std::cbrt(there / needed);
@@ -58,7 +67,7 @@ void require_memory(const Transfer& volume, const VolumeOptions& options, const 
   }
   if (say) {
     say(fmt::format("{} points of {} numbers, {:.3g} million rays, {:.0f} MiB", fmt::join(volume.grid->counts, " x "),
-                    volume.shape.length(),
+                    volume.shape.length() + (volume.kind->stores_matrices() ? volume.indirect_shape.length() : 0),
                     1e-6 * static_cast<double>(volume.receivers()) * static_cast<double>(volume.directions),
                     std::ceil(needed / kMiB)));
   }
@@ -135,7 +144,10 @@ std::size_t fill_inside(const std::vector<Sight>& sight, Transfer& volume) {
     });
     grid.filled += is_inside(p) ? 1 : 0;
   }
-  Fill(std::move(closed)).apply(volume.coefficients.data(), volume.shape.length(), volume.shape.length());
+  const Fill fill(std::move(closed));
+  fill.apply(volume.coefficients.data(), volume.shape.length(), volume.shape.length());
+  const std::size_t length = volume.indirect_shape.length();
+  if (!volume.indirect.empty()) fill.apply(volume.indirect.data(), length, length);
   return inside;
 }
 
@@ -163,9 +175,26 @@ std::string key_of(const Scene& scene, const BakeOptions& bake, const Transfer& 
                               low.x(), low.y(), low.z(), high.x(), high.y(), high.z(), volume.shape.result_degree));
 }
 
+// The matrices of what the scene's surfaces send, which are baked for this first.
+std::uint64_t reflect(const Scene& scene, const BakeOptions& bake, const BakeSettings& settings, Transfer& volume) {
+  Scene surfaces = scene;
+  surfaces.bake = bake;
+  surfaces.bake.kind = &kInterreflected;
+  surfaces.plan = {};
+  surfaces.mesh.emission.clear();  // no light of a volume is there without the light
+  BakeReport report;
+  BakeSettings own = settings;
+  own.checkpoint = {};
+  const Transfer baked = sh::prt::bake(BakeJob(std::move(surfaces), own), &report);
+  const RaySetup setup(baked.mesh, bake, volume.shape, starts_of(*volume.grid, baked.mesh.frame), settings.threads,
+                       settings.instruction_set);
+  volume.indirect = sent_to_points(setup, baked, volume.indirect_shape);
+  return report.rays + setup.tracer.rays();
+}
+
 // The whole sphere at every point, then what the rays find.
-void trace(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings, Transfer& volume,
-           VolumeReport& report) {
+void trace(const Scene& scene, const Scene& reflecting, const VolumeOptions& options, const BakeSettings& settings,
+           Transfer& volume, VolumeReport& report) {
   const BakeOptions bake{.degree = options.degree,
                          .directions = options.directions,
                          .sampler = options.sampler,
@@ -187,6 +216,7 @@ void trace(const Scene& scene, const VolumeOptions& options, const BakeSettings&
     throw output::Interrupted(checkpoint.interrupted());
   }
   report.bake = {setup.tracer.rays(), settings.checkpoint.path, {}};
+  if (options.reflects) report.bake.rays += reflect(reflecting, bake, settings, volume);
   report.inside = fill_inside(result.sight, volume);
   report.border = blocked_at_border(volume);
 }
@@ -207,7 +237,7 @@ Transfer bake_volume(const Scene& scene, const VolumeOptions& options, const Bak
   VolumeReport measured;
   Scene blocking = scene;
   blocking.mesh.mirror.clear();  // a mirror blocks rays as any surface does
-  on_threads(settings.threads, [&] { trace(blocking, options, settings, volume, measured); });
+  on_threads(settings.threads, [&] { trace(blocking, scene, options, settings, volume, measured); });
   volume.shape.storage.element = options.element;
   if (report != nullptr) *report = measured;
   return volume;

@@ -24,6 +24,7 @@ struct VolumeOptions {
   Sampler sampler = Sampler::kFibonacci;        // not the cosine
   std::uint32_t seed = 0;
   Element element = Element::kSingle;  // of the file
+  bool reflects = false;               // matrices of what the object sends, too: kind NI
   double memory = 0.0;                 // bytes that the bake may take; 0: those of the machine
 };
 

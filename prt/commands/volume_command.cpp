@@ -104,6 +104,8 @@ void add_volume_command(CLI::App& tool) {
       ->check(CLI::Range(0, 1 << 30));
   command.add_option("--instruction-set", options->instruction_set,
                      "instruction set for rays: sse4.2, avx, avx2 or avx512; results are reproducible on each");
+  command.add_flag("--reflected", options->volume.reflects,
+                   "also bake what the object reflects to the points, mirrors and all bounces included: matrices");
   command.add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");
   options->checkpoint.add_to(command);
   run_with_threads<VolumeCommand>(command, options, run_volume, "; the file does not depend on it");

@@ -8,9 +8,9 @@ namespace sh::prt {
 namespace {
 
 // Those of `prt bake`, then the others of vertices, then those of volumes, then those of media.
-constexpr std::array<const TransferKind*, 10> kKinds = {
-    &kUnshadowed,           &kShadowed,    &kInterreflected, &kGlossyUnshadowed, &kGlossyShadowed,
-    &kGlossyInterreflected, &kTranslucent, &kThickness,      &kNeighborhood,     &kMedium};
+constexpr std::array<const TransferKind*, 11> kKinds = {
+    &kUnshadowed,  &kShadowed,  &kInterreflected, &kGlossyUnshadowed,       &kGlossyShadowed, &kGlossyInterreflected,
+    &kTranslucent, &kThickness, &kNeighborhood,   &kReflectingNeighborhood, &kMedium};
 constexpr std::size_t kBaked = 6;
 constexpr std::size_t kOfVertices = 8;
 
@@ -22,7 +22,7 @@ TransferKinds surface_kinds() { return TransferKinds(kKinds).first(kBaked + 1); 
 
 TransferKinds vertex_kinds() { return TransferKinds(kKinds).first(kOfVertices); }
 
-TransferKinds volume_kinds() { return TransferKinds(kKinds).subspan(kOfVertices, 1); }
+TransferKinds volume_kinds() { return TransferKinds(kKinds).subspan(kOfVertices, 2); }
 
 TransferKinds medium_kinds() { return TransferKinds(kKinds).last(1); }
 

@@ -80,8 +80,9 @@ extern const TransferKind kTranslucent;
 extern const TransferKind kThickness;
 
 /// The space around an object [SloanKautzSnyder02, section 8] (N): every point of a grid keeps the part of the sphere that
-/// the object does not block.
+/// the object does not block. With reflection (NI) it also keeps matrices of what the object sends to it: color, caustics.
 extern const TransferKind kNeighborhood;
+extern const TransferKind kReflectingNeighborhood;
 
 /// Inside a medium [SloanKautzSnyder02, section 7] (DV): every point of a grid keeps the light that scatters there, as
 /// radiance or, where the phase function prefers a direction, as coefficients of the direction in which the point is seen.

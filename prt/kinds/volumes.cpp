@@ -14,6 +14,14 @@ TransferShape visibility(int degree) {
   return {.degree = degree, .result_degree = kResultDegree, .meets = Meets::kOperator, .holds_cosine = false};
 }
 
+// What the object sends to the point, linear in the light: its albedos and mirrors are in it.
+TransferShape sent(int degree) {
+  TransferShape shape{
+      .channels = 3, .degree = degree, .result_degree = kResultDegree, .holds_cosine = false, .holds_albedo = true};
+  shape.storage.element = Element::kHalf;
+  return shape;
+}
+
 // What scatters at a point, with the albedo: radiance, or coefficients of the direction in which it is seen.
 TransferShape scattered(int degree) { return {.channels = 3, .degree = degree, .holds_albedo = true}; }
 
@@ -21,6 +29,8 @@ TransferShape scattered(int degree) { return {.channels = 3, .degree = degree, .
 
 constinit const TransferKind kNeighborhood = {"N",     "neighborhood", visibility, {}, nullptr, kHighestProduct,
                                               nullptr, true,           true};
+constinit const TransferKind kReflectingNeighborhood = {
+    "NI", "reflecting_neighborhood", visibility, {}, nullptr, kHighestProduct, sent, true, true};
 constinit const TransferKind kMedium = {"DV", "medium", scattered, {}, nullptr, kMaxDegree, nullptr, true, true, true};
 
 }  // namespace sh::prt

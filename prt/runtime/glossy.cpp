@@ -103,6 +103,13 @@ void meet_points(const Transfer& volume, const LightCoefficients& light, std::ve
   });
 }
 
+// values (points, 3, bands) += what the object sends.
+void add_sent(const Transfer& volume, const LightCoefficients& light, std::size_t bands, std::vector<float>& values) {
+  const TransferShape& shape = volume.indirect_shape;
+  const std::vector<float> low = in_single(first_bands(light, std::min(light.degree, shape.degree)), shape.degree);
+  add_indirect(shape, volume.matrices(), low.data(), bands, values.data());
+}
+
 // Throws unless all numbers pass the test.
 template <class Numbers, class Test>
 void require_single(const Transfer& transfer, const Numbers& numbers, const Test& test) {
@@ -119,6 +126,16 @@ Eigen::Vector3f summed(int degree, const float* lobe, const float* reaching) {
 
 }  // namespace
 
+TransferredRadiance TransferredRadiance::sent(const Transfer& volume, const LightCoefficients& light) {
+  TransferredRadiance radiance;
+  radiance.degree_ = volume.shape.result_degree;
+  const std::size_t bands = coefficient_count(radiance.degree_);
+  radiance.stride_ = kChannels * bands;
+  radiance.values_.assign(volume.receivers() * radiance.stride_, 0.0F);
+  add_sent(volume, light, bands, radiance.values_);
+  return radiance;
+}
+
 void TransferredRadiance::meet(const Transfer& transfer, const LightCoefficients& light) {
   degree_ = transfer.degree();
   stride_ = 0;
@@ -132,6 +149,10 @@ void TransferredRadiance::meet(const Transfer& transfer, const LightCoefficients
     require_single(transfer, light.values, [](double value) { return std::abs(value) <= kStrongest; });
     meet_points(transfer, light, values_);
     stride_ = kChannels * coefficient_count(degree_);
+    if (transfer.kind->stores_matrices()) {
+      add_sent(transfer, light, coefficient_count(degree_), values_);
+      require_single(transfer, values_, [](float value) { return std::isfinite(value); });
+    }
     return;
   }
   require_light(transfer, light);

@@ -32,6 +32,8 @@ class TransferredRadiance {
   TransferredRadiance(const Transfer& transfer, const LightCoefficients& light) { meet(transfer, light); }
   /// The same again, for the next frame, in the memory that is there.
   void meet(const Transfer& transfer, const LightCoefficients& light);
+  /// Around an object only what the object sends: its matrices times the light. Of the degree of the result.
+  static TransferredRadiance sent(const Transfer& volume, const LightCoefficients& light);
 
   /// That of the light; around an object that of the result or of the light, whichever is higher.
   [[nodiscard]] int degree() const { return degree_; }
@@ -43,6 +45,7 @@ class TransferredRadiance {
   void at(const GridCell& cell, float* out) const { cell.mix(values_.data(), stride_, out); }
 
  private:
+  TransferredRadiance() = default;
   int degree_ = 0;
   std::size_t stride_ = 0;  // then one radiance reaches every vertex
   std::vector<float> values_;

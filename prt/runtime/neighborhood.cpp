@@ -98,6 +98,11 @@ Neighborhoods::Neighborhoods(const Stage& stage, std::vector<Pose> poses, const 
     }
   }
   if (neighbors_.size() < 2) return;
+  for (Neighbor& neighbor : neighbors_) {
+    if (neighbor.volume->kind->stores_matrices()) {
+      neighbor.sent = TransferredRadiance::sent(*neighbor.volume, lights_[neighbor.object]);
+    }
+  }
   for (const LightCoefficients& own : lights_) {
     prepared_.push_back(
         prepared_light(degree, in_single(first_bands(own, std::min(own.degree, shape_.degree)), degree).data()));
@@ -153,6 +158,17 @@ LightCoefficients Neighborhoods::behind_all(std::size_t receiver, std::span<cons
     for (std::size_t i = coefficient_count(shape_.result_degree); i < light.bands_squared(); ++i) light.at(c, i) = 0.0;
     for (std::size_t i = coefficient_count(shape_.degree); i < light.bands_squared(); ++i) {
       light.at(c, i) += seen * lights_[receiver].at(c, i);
+    }
+  }
+  for (const Neighbor* neighbor : neighbors) {
+    if (!neighbor->sent) continue;
+    std::array<float, kChannels * kMostCoefficients> between;
+    neighbor->sent->at(GridCell(*neighbor->volume->grid, local(neighbor->object, point)), between.data());
+    const Eigen::Matrix3d turn = poses_[receiver].rotation.transpose() * poses_[neighbor->object].rotation;
+    const LightCoefficients sent =
+        light_from(between.data(), neighbor->sent->degree(), lights_[receiver].degree, turn.cast<float>());
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      for (std::size_t i = 0; i < light.bands_squared(); ++i) light.at(c, i) += sent.at(c, i);
     }
   }
   return light;

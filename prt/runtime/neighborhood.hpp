@@ -9,7 +9,8 @@
 //
 // Approximations: the light is equally far away from all points of a box; an object and its box move rigidly; a receiver
 // outside of the box gets the whole light, so that the box has to hold the shadow (`prt volume` says what is left of it at
-// the sides); no light goes from the object to a receiver.
+// the sides). Light goes from the object to a receiver only if its volume has matrices (kind NI); where boxes overlap,
+// no object stands in the way of what another one sends.
 #pragma once
 #include <Eigen/Core>
 #include <map>
@@ -46,7 +47,8 @@ class Neighborhoods {
     std::size_t object;
     const Transfer* volume;
     Rows visibility;
-    TransferredRadiance reaching;  // in its axes
+    TransferredRadiance reaching;                  // in its axes
+    std::optional<TransferredRadiance> sent = {};  // a part of it, where several volumes may overlap
   };
   [[nodiscard]] LightCoefficients behind_one(std::size_t receiver, const Neighbor& neighbor,
                                              const Eigen::Vector3d& local) const;

@@ -87,8 +87,8 @@ StageObject read_object(const JsonReader& reader, const std::string& folder, Tra
   }
   if (const auto volume = reader.find("volume")) {
     object.volume = read_once(beside(folder, volume->text()), volume_kinds(), transfers.volumes);
-    if (object.volume->kind != &kNeighborhood) {
-      volume->expected("the space around an object, of kind N (`prt volume` makes it)");
+    if (!object.volume->kind->stores_visibility()) {
+      volume->expected("the space around an object, of kind N or NI (`prt volume` makes it)");
     }
   }
   object.proxy = bounding_sphere(object.transfer->mesh);

@@ -188,10 +188,11 @@ int degree_of(const nlohmann::json& count, int highest) {
   return degree;
 }
 
-TransferShape indirect_from(const nlohmann::json& json, const TransferKind& kind, int degree) {
+TransferShape indirect_from(const nlohmann::json& json, const TransferKind& kind, const TransferShape& numbers) {
+  const int degree = numbers.degree;
   TransferShape shape = kind.indirect(degree);
   shape.channels = whole_from<std::size_t>(json.at("channels"), 1, 3);
-  shape.result_degree = degree_of(json.at("rows"), degree);
+  shape.result_degree = degree_of(json.at("rows"), numbers.result_degree);
   shape.degree = degree_of(json.at("columns"), degree);
   const std::string_view element = word_of(shape.storage.element, kElementNames);
   if (shape.channels == 2 || shape.result_degree < 0 || shape.degree < 0 || json.at("element") != element) {
@@ -270,8 +271,12 @@ std::string_view holds(const Transfer& transfer) {
                  "point is seen, of the radiance of channel c = sum_i T_cri L_ci";
   }
   if (on_grid && shape.meets == Meets::kOperator) {
-    return "visibility V, 1 where the object blocks nothing: V times the light, on the bands of the result, reaches "
-           "the point";
+    return transfer.kind->stores_matrices()
+               ? "visibility V, 1 where the object blocks nothing: V times the light, on the bands of the result, and "
+                 "the matrix times the light, what the object reflects, reach the point"
+               : "visibility V, 1 where the object blocks nothing: V times the light, on the bands of the result, "
+                 "reaches "
+                 "the point";
   }
   if (transfer.kind->is_length) {
     return "thickness: sum_i T_i Y_i(s) is the distance through the body from the vertex in direction s, into the body";
@@ -463,7 +468,7 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
   if (transfer.kind->in_medium) take_medium(header.at("medium"), transfer);
   if (transfer.kind->has_bounces()) transfer.bounces = bounces_from(header.at("bounces"));
   if (transfer.kind->indirect != nullptr) {
-    transfer.indirect_shape = indirect_from(header.at("indirect"), *transfer.kind, transfer.degree());
+    transfer.indirect_shape = indirect_from(header.at("indirect"), *transfer.kind, transfer.shape);
   }
   if (transfer.shape.storage.is_clustered()) transfer.clusters.error = amount_from(header["storage"].at("error"));
   if (transfer.indirect_shape.storage.is_clustered()) {

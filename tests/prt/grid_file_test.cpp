@@ -134,9 +134,9 @@ TEST_F(GridFile, GivesBackWhatWasWrittenWhateverTheDegreesAndTheStorage) {
 TEST_F(GridFile, IsNoFileOfASurface) {
   write_transfer(file_, small_volume());
   EXPECT_EQ(message_of([&] { read_transfer(file_); }),
-            file_ + ": transfer of kind N, expected one of DU, DS, DI, GU, GS, GI");
+            file_ + ": transfer of kind N, expected one of DU, DS, DI, GU, GS, GI, DT");
   write_transfer(file_, baked(primitive_mesh("plane"), &kShadowed, 64, 1));
-  EXPECT_EQ(refusal(volume_kinds()), file_ + ": transfer of kind DS, expected one of N");
+  EXPECT_EQ(refusal(volume_kinds()), file_ + ": transfer of kind DS, expected one of N, NI");
   EXPECT_EQ(refusal(), "");
 }
 

@@ -130,7 +130,7 @@ TEST(TransferKind, IsAddedByItsShapeAndItsSteps) {
   const Transfer colored = baked(mesh, &kColored);
   write_transfer(file, colored);
   EXPECT_EQ(message_of([&] { read_transfer(file); }),
-            file + ": transfer of kind DC, expected one of DU, DS, DI, GU, GS, GI");
+            file + ": transfer of kind DC, expected one of DU, DS, DI, GU, GS, GI, DT");
   const std::array<const TransferKind*, 2> kinds = {&kShadowed, &kColored};
   const Transfer read = read_transfer(file, kinds);
   EXPECT_EQ(read.kind, &kColored);

@@ -86,6 +86,22 @@ TEST_F(VolumeTool, TheStageOfTheGliderShowsItsShadowWhereverItMoves) {
   EXPECT_EQ(read_all(folder->file("g.webp")).substr(0, 4), "RIFF");
 }
 
+TEST_F(VolumeTool, ReflectsOnRequestAndAStageShowsIt) {
+  const Finished run = succeeded(volume({"--reflected", "--counts", "6,6,5", "--degree", "2"}));
+  EXPECT_NE(run.err.find("6 x 6 x 5 points of 724 numbers"), std::string::npos) << run.err;
+  const nlohmann::json info = printed({"info", folder->file("x.transfer")});
+  EXPECT_EQ(info["kind"], "NI");
+  EXPECT_EQ(info["indirect"]["rows"], 25);
+  EXPECT_EQ(info["indirect"]["columns"], 9);
+  succeeded({"volume", wing, "--directions", "64", "--counts", "6,6,5", "-o", folder->file("y.transfer")});
+  nlohmann::json stage = nlohmann::json::parse(read_all(scenes + "glider/stage.json"));
+  stage["objects"][1]["volume"] = folder->file("x.transfer");
+  write_all(folder->file("lit.json"), stage.dump());
+  stage["objects"][1]["volume"] = folder->file("y.transfer");
+  write_all(folder->file("dark.json"), stage.dump());
+  EXPECT_FALSE(frame(folder->file("lit.json")) == frame(folder->file("dark.json")));
+}
+
 TEST_F(VolumeTool, APageRefusesAStageWithVolumes) {
   expect_refused({"view", scenes + "glider/stage.json", "--transfers", folder->file(""), "-o", folder->file("x.html")},
                  "a page shadows objects by spheres");
