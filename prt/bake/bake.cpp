@@ -28,10 +28,10 @@ namespace {
 
 void check(const BakeJob& job) {
   const BakeOptions& options = job.scene.bake;
-  if (find_kind(&TransferKind::word, options.kind->word) == nullptr) {
+  constexpr KindName kWord = &TransferKind::word;  // other commands make some of the known kinds
+  if (find_kind(kWord, options.kind->word, file_kinds()) != find_kind(kWord, options.kind->word)) {
     throw std::invalid_argument(fmt::format("{}: `prt bake` does not make transfer of the kind {}; expected one of {}",
-                                            job.scene.name, options.kind->word,
-                                            fmt::join(kind_names(&TransferKind::word), ", ")));
+                                            job.scene.name, options.kind->word, fmt::join(kind_names(kWord), ", ")));
   }
   if (const int highest = options.kind->highest_degree; options.degree < 0 || options.degree > highest) {
     const std::string whose = highest < kMaxDegree ? fmt::format(" (of the kind {})", options.kind->word) : "";

@@ -162,7 +162,7 @@ std::vector<Eigen::Vector3f> relight_locally(const Transfer& transfer, const Lig
                                              std::span<const LightCoefficients> lights, const Shading& shading) {
   const std::size_t vertices = transfer.mesh.positions.size();
   const std::size_t k = lights.size();
-  if (transfer.shape.holds_albedo) {
+  if (transfer.kind->shape(0).holds_albedo) {
     throw std::invalid_argument(
         "local lighting needs unshadowed or shadowed transfer; with bounces, or through bodies, light comes from other "
         "places too");

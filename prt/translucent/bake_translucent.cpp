@@ -54,8 +54,32 @@ void check_energy(const Scene& scene) {
   }
 }
 
+// R_d is resolved down to some 1e-12 of an edge (prt/translucent/surface_scatter.cpp).
+void check_lengths(const Scene& scene) {
+  constexpr double kShortest = 1e-9;
+  const Mesh& mesh = scene.mesh;
+  const double extent = mesh.frame.unit * static_cast<double>(bounding_box(mesh.positions).sizes().maxCoeff());
+  for (const Translucence& material : mesh.translucences.heads) {
+    const double rate = static_cast<double>((material.absorption + material.scattering).maxCoeff());
+    if (material.scatters() && !(rate * kShortest * extent <= 1.0)) {
+      refuse(scene,
+             fmt::format("light scatters within {:.2g}, less than {:g} of the scene's extent; expected an albedo in "
+                         "place of `subsurface`",
+                         1.0 / rate, kShortest));
+    }
+  }
+}
+
+void check_mesh(const Scene& scene) {
+  if (scene.mesh.faces.empty()) refuse(scene, "the mesh has no faces, expected at least one triangle");
+  if (scene.bake.degree < 0 || scene.bake.degree > kMaxDegree) {
+    refuse(scene, fmt::format("degree: expected 0 to {}, got {}", kMaxDegree, scene.bake.degree));
+  }
+}
+
 void check(const BakeJob& job) {
   const Scene& scene = job.scene;
+  check_mesh(scene);
   if (scene.mesh.translucence.empty()) {
     refuse(scene, "no material is translucent; expected `translucent` or `subsurface` in a mesh or material");
   }
@@ -71,6 +95,7 @@ void check(const BakeJob& job) {
   if (!job.settings.checkpoint.shard.is_whole() || !job.settings.checkpoint.parts.empty()) {
     refuse(scene, "light through bodies is traced in one piece; expected no shard");
   }
+  check_lengths(scene);
   check_energy(scene);
 }
 
@@ -136,6 +161,7 @@ Transfer bake_translucent(BakeJob job, BakeReport* report, const BakeObserver& s
 
 Transfer bake_thickness(BakeJob job, BakeReport* report) {
   const Scene& scene = job.scene;
+  check_mesh(scene);
   Transfer transfer = Transfer::of(kThickness, scene.bake.degree);
   transfer.scene = scene.name;
   transfer.mesh = scene.mesh;

@@ -223,7 +223,8 @@ constexpr std::array kWords = {"bake",
                                "json",
                                "translucent",
                                "--thickness",
-                               "t.json"};
+                               "t.json",
+                               "--reflected"};
 static_assert(kWords.size() <= 256);
 
 // The triangles with these corners; assimp reads it without the megabytes that other formats take.

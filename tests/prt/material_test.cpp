@@ -173,7 +173,7 @@ TEST_F(Materials, ThatCannotBeAreRefused) {
       {R"("file": "a.obj", "materials": {"red": {"colour": [1, 1, 1]}})",
        "/materials/red/colour: unknown key, expected one of albedo, brdf, emission, exponent, metallic, mirror, "
        "normal_map, roughness, "
-       "sides, specular"}};
+       "sides, specular, subsurface, translucent"}};
   for (const auto& [mesh, message] : cases) EXPECT_EQ(refusal("{" + std::string(mesh) + "}"), message);
 }
 

@@ -337,6 +337,34 @@ TEST(Translucent, HasTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
+TEST(Translucent, OfTheLeastAndTheLargestDegreeAreFinite) {
+  Mesh mesh = of_material(primitive_mesh("sphere", 12), straight(1.0F));
+  append(mesh, of_material(moved(primitive_mesh("sphere", 12), {2.0F, 0.0F, 0.0F}), scattering(1.0F, 9.0F)));
+  std::vector<float> least;
+  for (const int degree : {0, kMaxDegree}) {
+    const Transfer transfer = bake_translucent(BakeJob(scene_of(mesh, &kShadowed, 256, degree)));
+    for (const float number : transfer.coefficients) EXPECT_TRUE(std::isfinite(number));
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      if (degree == 0) least.push_back(transfer.row(v)[0]);
+      EXPECT_NEAR(transfer.row(v)[0], least[v], 2e-3F) << "band 0 does not depend on the degree";
+    }
+    EXPECT_EQ(bake_thickness(BakeJob(scene_of(mesh, &kShadowed, 256, degree))).shape.count(),
+              coefficient_count(degree));
+  }
+}
+
+TEST(Translucent, OfStrangeNumbersIsFinite) {
+  for (const float rate : {1e-45F, 1e-30F, 1e8F}) {
+    for (const Translucence& material :
+         {straight(rate), straight(3e38F), scattering(rate, 1.0F), scattering(rate, rate)}) {
+      for (const float number : translucent(of_material(primitive_mesh("box"), material), 64).coefficients) {
+        EXPECT_TRUE(std::isfinite(number)) << rate;
+        EXPECT_LE(std::abs(number), 1.5F) << rate;
+      }
+    }
+  }
+}
+
 // The same body in other units, and far from the origin.
 TEST(Translucent, DependsOnNoUnitAndNoPlace) {
   const Transfer one = translucent(of_material(primitive_mesh("torus", 16), scattering(1.0F, 9.0F)), 256);
@@ -385,6 +413,12 @@ TEST(Translucent, RefusesWhatIsImpossible) {
   Mesh bright = sphere;
   paint(bright, Eigen::Vector3f::Constant(0.5F));
   EXPECT_NE(refusal(bright).find("make 1.1 together; expected at most 1"), std::string::npos);
+  EXPECT_NE(refusal(of_material(primitive_mesh("sphere", 12), scattering(0.0F, 2e9F))).find("less than 1e-09 of the"),
+            std::string::npos);
+  EXPECT_NE(refusal(of_material(Mesh(), straight(1.0F))).find("no faces"), std::string::npos);
+  EXPECT_NE(refusal(sphere, [](BakeJob& job) { job.scene.bake.degree = 11; }).find("expected 0 to 10, got 11"),
+            std::string::npos);
+  EXPECT_THROW(thick(Mesh()), std::invalid_argument);
   Mesh wax = of_material(primitive_mesh("sphere", 12), scattering(0.0F, 9.0F));
   paint(wax, Eigen::Vector3f::Constant(0.01F));
   EXPECT_NE(refusal(wax).find("make 1.01 together"), std::string::npos);
