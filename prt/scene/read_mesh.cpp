@@ -139,7 +139,7 @@ void read_brdf(const JsonReader& reader, const std::string& folder, OnFlaw on_fl
 
 // Rates of light in a body by color, 1 / unit.
 Eigen::Vector3f read_rates(const JsonReader& reader, bool positive) {
-  const Eigen::Vector3f rates = reader.vector_within(0.0F, std::numeric_limits<float>::max());
+  Eigen::Vector3f rates = reader.vector_within(0.0F, std::numeric_limits<float>::max());
   if (positive && !(rates.minCoeff() > 0.0F)) reader.expected("three positive numbers");
   return rates;
 }

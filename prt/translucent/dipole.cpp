@@ -8,9 +8,7 @@ double diffuse_fresnel(double ior) {
 }
 
 Dipole::Dipole(double absorption, double scattering, double ior)
-    : albedo_(scattering / (scattering + absorption)),
-      decay_(std::sqrt(3.0 * absorption * (scattering + absorption))),
-      poles_{} {
+    : albedo_(scattering / (scattering + absorption)), decay_(std::sqrt(3.0 * absorption * (scattering + absorption))) {
   const double inside = diffuse_fresnel(ior);
   const double depth = 1.0 / (scattering + absorption);
   poles_ = {depth, depth * (1.0 + 4.0 / 3.0 * (1.0 + inside) / (1.0 - inside))};

@@ -36,7 +36,7 @@ class Dipole {
  private:
   double albedo_;
   double decay_;
-  std::array<double, 2> poles_;
+  std::array<double, 2> poles_{};
 };
 
 /// The share of diffuse light that a surface reflects inside, for ior >= 1: the fit of Egan and Hilgeman 1979 that

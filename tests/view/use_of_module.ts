@@ -20,7 +20,7 @@ export function described({ transfer, attributes, textures }: Baked): string {
   const shape: Shape = transfer.shape;
   const bytes = (one: NumberTexture): number => one.array.byteLength + one.width * one.height;
   const last: Attribute | undefined = attributes.at(-1);
-  const kinds: Record<Transfer['kind'], string> = { DU: 'a', DS: 'b', DI: 'c', GU: 'd', GS: 'e', GI: 'f' };
+  const kinds: Record<Transfer['kind'], string> = { DU: 'a', DS: 'b', DI: 'c', GU: 'd', GS: 'e', GI: 'f', DT: 'g' };
   return `${kinds[transfer.kind]} ${shape.count} ${transfer.indirect?.count ?? 0} ${textures.map(bytes).join()} ${last?.array.length}`;
 }
 
