@@ -209,14 +209,16 @@ TEST(Scattered, OfLengthsFarAboveTheBodyIsNothing) {
 }
 
 TEST(Scattered, IsOfThreeColors) {
-  Translucence material = scattering(5.0F, 20.0F);
-  material.absorption = {5.0F, 0.1F, 50.0F};
-  const Mesh mesh = of_material(plate(0.5F), material);
-  const Transfer transfer = translucent(mesh, 256);
-  for (std::size_t c = 0; c < 3; ++c) {
-    const float absorption = material.absorption[static_cast<Eigen::Index>(c)];
-    const Transfer one = translucent(of_material(plate(0.5F), scattering(absorption, 20.0F)), 256);
-    EXPECT_NEAR(transfer.row(top_of(mesh))[c * kCount], one.row(top_of(mesh))[0], 5e-4F) << absorption;
+  for (const Eigen::Vector3f& absorptions : {Eigen::Vector3f(5.0F, 0.1F, 50.0F), Eigen::Vector3f(5.0F, 50.0F, 0.1F)}) {
+    Translucence material = scattering(5.0F, 20.0F);
+    material.absorption = absorptions;
+    const Mesh mesh = of_material(plate(0.5F), material);
+    const Transfer transfer = translucent(mesh, 256);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float absorption = absorptions[static_cast<Eigen::Index>(c)];
+      const Transfer one = translucent(of_material(plate(0.5F), scattering(absorption, 20.0F)), 256);
+      EXPECT_NEAR(transfer.row(top_of(mesh))[c * kCount], one.row(top_of(mesh))[0], 5e-4F) << absorption;
+    }
   }
 }
 
