@@ -511,6 +511,39 @@ TEST(Thickness, OfASphereIsItsChord) {
   }
 }
 
+// What overlaps is one body; what stands behind it is another one.
+TEST(Thickness, EndsWhereTheRayHasLeftAllThatItEntered) {
+  const Mesh one = plate(0.15F, 8.0F, 1.0F);
+  Mesh two = plate(0.1F, 8.0F, 1.0F);
+  append(two, moved(plate(0.1F, 7.0F, 1.0F), {0.0F, 0.0F, -0.05F}));
+  const float expected = thick(one).row(top_of(one))[0];
+  EXPECT_NEAR(thick(two).row(top_of(two))[0], expected, 0.01F * expected);
+  Mesh behind = one;
+  append(behind, moved(plate(0.1F, 8.0F, 1.0F), {0.0F, 0.0F, -1.0F}));
+  EXPECT_EQ(thick(behind).row(top_of(behind))[0], expected);
+}
+
+TEST(Thickness, TakesTheDirectionsOfTheSphereForThoseAboutNormals) {
+  const auto along = [](Sampler sampler) {
+    Scene scene = scene_of(primitive_mesh("torus", 12), &kShadowed, 256, kDegree);
+    scene.bake.sampler = sampler;
+    return bake_thickness(BakeJob(scene)).coefficients;
+  };
+  EXPECT_EQ(along(Sampler::kCosine), along(Sampler::kFibonacci));
+  EXPECT_NE(along(Sampler::kRandom), along(Sampler::kFibonacci));
+}
+
+TEST(Thickness, OfAnOpenSurfaceIsNamedWithTheShareOfItsRays) {
+  try {
+    thick(primitive_mesh("plane", 3), 64, {.on_flaw = OnFlaw::kRefuse});
+    FAIL() << "it is a body";
+  } catch (const std::runtime_error& flaw) {
+    EXPECT_NE(std::string(flaw.what()).find("of 4 of 4 vertices rays leave no body (1 of their rays)"),
+              std::string::npos)
+        << flaw.what();
+  }
+}
+
 TEST(Thickness, IsInTheUnitOfTheScene) {
   Mesh mesh = primitive_mesh("sphere", 24);
   const Transfer one = thick(mesh, 256);
