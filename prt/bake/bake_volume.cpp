@@ -193,14 +193,16 @@ std::uint64_t reflect(const Scene& scene, const BakeOptions& bake, const BakeSet
 }
 
 // The whole sphere at every point, then what the rays find.
-void trace(const Scene& scene, const Scene& reflecting, const VolumeOptions& options, const BakeSettings& settings,
-           Transfer& volume, VolumeReport& report) {
+void trace(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings, Transfer& volume,
+           VolumeReport& report) {
+  Scene blocking = scene;
+  blocking.mesh.mirror.clear();  // a mirror blocks rays as any surface does
   const BakeOptions bake{.degree = options.degree,
                          .directions = options.directions,
                          .sampler = options.sampler,
                          .seed = options.seed,
                          .kind = &kNeighborhood};
-  const RaySetup setup(scene.mesh, bake, volume.shape, starts_of(*volume.grid, scene.mesh.frame), settings.threads,
+  const RaySetup setup(blocking.mesh, bake, volume.shape, starts_of(*volume.grid, scene.mesh.frame), settings.threads,
                        settings.instruction_set);
   volume.instruction_set = setup.tracer.instruction_set();
   const std::size_t length = volume.shape.length();
@@ -209,14 +211,14 @@ void trace(const Scene& scene, const Scene& reflecting, const VolumeOptions& opt
     volume.row(p)[0] = static_cast<float>(std::sqrt(4.0 * std::numbers::pi));
   }
   ShadowResult result{volume, std::vector<Sight>(volume.receivers()), nullptr};
-  Checkpoint checkpoint(settings.checkpoint, key_of(scene, bake, volume), result);
+  Checkpoint checkpoint(settings.checkpoint, key_of(blocking, bake, volume), result);
   try {
     ShadowPass(setup, {}, result).run(checkpoint);
   } catch (const output::Interrupted&) {
     throw output::Interrupted(checkpoint.interrupted());
   }
   report.bake = {setup.tracer.rays(), settings.checkpoint.path, {}};
-  if (options.reflects) report.bake.rays += reflect(reflecting, bake, settings, volume);
+  if (options.reflects) report.bake.rays += reflect(scene, bake, settings, volume);
   report.inside = fill_inside(result.sight, volume);
   report.border = blocked_at_border(volume);
 }
@@ -235,9 +237,7 @@ Transfer bake_volume(const Scene& scene, const VolumeOptions& options, const Bak
   Transfer volume = without_numbers(scene, options, grid_of(scene, options));
   require_memory(volume, options, say);
   VolumeReport measured;
-  Scene blocking = scene;
-  blocking.mesh.mirror.clear();  // a mirror blocks rays as any surface does
-  on_threads(settings.threads, [&] { trace(blocking, scene, options, settings, volume, measured); });
+  on_threads(settings.threads, [&] { trace(scene, options, settings, volume, measured); });
   volume.shape.storage.element = options.element;
   if (report != nullptr) *report = measured;
   return volume;

@@ -214,9 +214,7 @@ void run_bake(const BakeCommand& options) {
   if (scene.medium) return run_medium_bake(options, std::move(scene));
   if (!scene.mesh.translucence.empty()) {
     report_flaw(settings.on_flaw,
-                fmt::format("{}: its translucent materials are left out, which only `prt translucent` "
-                            "shows",
-                            scene.name));
+                scene.name + ": its translucent materials are left out, which only `prt translucent` shows");
   }
   BakeJob job(std::move(scene), settings);
   output::require_no_input(settings.checkpoint.path, job.scene.files);

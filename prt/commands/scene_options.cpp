@@ -14,10 +14,16 @@
 
 namespace sh::prt {
 
-void SceneOptions::add_to(CLI::App& command) {
-  const auto words = [](const auto& names) {
-    return CLI::IsMember(std::vector<std::string>(std::begin(names), std::end(names)));
-  };
+namespace {
+
+template <class Names>
+CLI::IsMember words(const Names& names) {
+  return CLI::IsMember(std::vector<std::string>(std::begin(names), std::end(names)));
+}
+
+}  // namespace
+
+void DirectionOptions::add_to(CLI::App& command) {
   command
       .add_option(
           "SCENE", scene,
@@ -26,15 +32,27 @@ void SceneOptions::add_to(CLI::App& command) {
       ->required();
   command.add_option("--degree", degree, "SH degree, 0 to 10, instead of the scene's");
   command.add_option("--directions", directions, "directions over the whole sphere, instead of the scene's");
+  command.add_option("--sampler", sampler, "method that chooses the directions, instead of the scene's")
+      ->check(words(kSamplerNames));
+  command.add_option("--seed", seed, "seed of all samplers except fibonacci, instead of the scene's")
+      ->check(CLI::Range(0, kMaxSeed));
+}
+
+void DirectionOptions::apply_to(BakeOptions& bake) const {
+  bake.degree = degree.value_or(bake.degree);
+  bake.directions = directions.value_or(bake.directions);
+  bake.sampler = value_called<Sampler>(sampler, kSamplerNames).value_or(bake.sampler);
+  bake.seed = seed.value_or(bake.seed);
+  require_degree(bake.degree);
+}
+
+void SceneOptions::add_to(CLI::App& command) {
+  DirectionOptions::add_to(command);
   command
       .add_option(
           "--bounce-directions", bounce_directions,
           "directions along which diffuse surfaces see each other, fewer than for shadows; instead of the scene's")
       ->check(CLI::Range(1, kMaxDirections));
-  command.add_option("--sampler", sampler, "method that chooses the directions, instead of the scene's")
-      ->check(words(kSamplerNames));
-  command.add_option("--seed", seed, "seed of all samplers except fibonacci, instead of the scene's")
-      ->check(CLI::Range(0, kMaxSeed));
   command.add_option("--kind", kind, "kind of transfer, instead of the scene's")
       ->check(words(kind_names(&TransferKind::word)));
   command
@@ -97,17 +115,13 @@ void SceneOptions::apply_to(Scene& loaded) const {
     return;
   }
   BakeOptions& bake = loaded.bake;
-  bake.degree = degree.value_or(bake.degree);
-  bake.directions = directions.value_or(bake.directions);
+  DirectionOptions::apply_to(bake);
   bake.bounces.directions = bounce_directions.value_or(bake.bounces.directions);
-  bake.sampler = value_called<Sampler>(sampler, kSamplerNames).value_or(bake.sampler);
-  bake.seed = seed.value_or(bake.seed);
   if (!kind.empty()) bake.kind = find_kind(&TransferKind::word, kind);
   if (!compress.empty()) bake.compress = {compress[0], compress[1]};
   if (compress_auto) bake.compress = {};
   if (!compress.empty() || compress_auto) bake.compress_by_plan = compress_auto;
   bake.fit_lobes = bake.fit_lobes || fit_lobes;
-  require_degree(bake.degree);
   PlanOptions& made = loaded.plan;
   made.mode = value_called<PlanMode>(plan, kPlanModeNames).value_or(error ? PlanMode::kLossy : made.mode);
   made.error = error.value_or(made.error);

@@ -9,14 +9,21 @@
 
 namespace sh::prt {
 
-/// A scene, and options that replace entries of its `bake` and `plan`.
-struct SceneOptions {
+/// A scene, and options that replace its degree and its directions.
+struct DirectionOptions {
   std::string scene;
   std::optional<int> degree;
   std::optional<int> directions;
-  std::optional<int> bounce_directions;
-  std::string sampler;
+  std::string sampler;  // empty: the scene's
   std::optional<std::uint32_t> seed;
+
+  void add_to(CLI::App& command);
+  void apply_to(BakeOptions& bake) const;
+};
+
+/// The same, and options that replace other entries of the scene's `bake` and `plan`.
+struct SceneOptions : DirectionOptions {
+  std::optional<int> bounce_directions;
   std::string kind;
   std::vector<std::uint32_t> compress;  // clusters, vectors; empty: the scene's
   bool compress_auto = false;

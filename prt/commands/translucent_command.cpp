@@ -5,7 +5,7 @@
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/commands/medium_commands.hpp"
-#include "prt/rays/directions.hpp"
+#include "prt/commands/scene_options.hpp"
 #include "prt/say.hpp"
 #include "prt/transfer/transfer_file.hpp"
 #include "prt/translucent/bake_translucent.hpp"
@@ -13,26 +13,13 @@
 namespace sh::prt {
 namespace {
 
-struct TranslucentCommand {
-  std::string scene;
+struct TranslucentCommand : DirectionOptions {
   std::string output;
   bool thickness = false;
-  std::optional<int> degree;
-  std::optional<int> directions;
-  std::string sampler;  // empty: the scene's
-  std::optional<std::uint32_t> seed;
   std::string instruction_set;
   bool strict = false;
   CheckpointOptions checkpoint;
   int threads = 0;
-
-  void apply_to(BakeOptions& bake) const {
-    bake.degree = degree.value_or(bake.degree);
-    bake.directions = directions.value_or(bake.directions);
-    bake.sampler = value_called<Sampler>(sampler, kSamplerNames).value_or(bake.sampler);
-    bake.seed = seed.value_or(bake.seed);
-    require_degree(bake.degree);
-  }
 };
 
 void run_translucent(const TranslucentCommand& options) {
@@ -69,17 +56,10 @@ void add_translucent_command(CLI::App& tool) {
   auto options = std::make_shared<TranslucentCommand>();
   CLI::App& command = *tool.add_subcommand(
       "translucent", "compute the transfer of bodies that let light through, or their thickness by direction");
-  command.add_option("SCENE", options->scene, "a scene's JSON file with translucent materials")->required();
+  options->add_to(command);
   command.add_option("-o,--output", options->output, "transfer file to write")->required();
   command.add_flag("--thickness", options->thickness,
                    "the distance through the body by direction, in the scene's unit, instead; of any material");
-  command.add_option("--degree", options->degree, "SH degree, 0 to 10, instead of the scene's");
-  command.add_option("--directions", options->directions, "directions over the whole sphere, instead of the scene's")
-      ->check(CLI::Range(1, kMaxDirections));
-  command.add_option("--sampler", options->sampler, "method that chooses the directions, instead of the scene's")
-      ->check(CLI::IsMember(std::vector<std::string>(kSamplerNames.begin(), kSamplerNames.end())));
-  command.add_option("--seed", options->seed, "seed of all samplers except fibonacci, instead of the scene's")
-      ->check(CLI::Range(0, kMaxSeed));
   command.add_option("--instruction-set", options->instruction_set,
                      "instruction set for rays: sse4.2, avx, avx2 or avx512; results are reproducible on each");
   command.add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");

@@ -121,16 +121,19 @@ std::optional<LightCoefficients> Neighborhoods::at(std::size_t receiver, const E
     }
   }
   if (reached.empty()) return std::nullopt;
-  if (reached.size() == 1) return behind_one(receiver, *reached[0], local(reached[0]->object, point));
+  if (reached.size() == 1) return taken(receiver, *reached[0], reached[0]->reaching, point);
   return behind_all(receiver, reached, point);
 }
 
-LightCoefficients Neighborhoods::behind_one(std::size_t receiver, const Neighbor& neighbor,
-                                            const Eigen::Vector3d& local) const {
+Eigen::Matrix3f Neighborhoods::turn(std::size_t receiver, const Neighbor& neighbor) const {
+  return (poses_[receiver].rotation.transpose() * poses_[neighbor.object].rotation).cast<float>();
+}
+
+LightCoefficients Neighborhoods::taken(std::size_t receiver, const Neighbor& neighbor,
+                                       const TransferredRadiance& radiance, const Eigen::Vector3d& point) const {
   std::array<float, kChannels * kMostCoefficients> between;
-  neighbor.reaching.at(GridCell(*neighbor.volume->grid, local), between.data());
-  const Eigen::Matrix3d turn = poses_[receiver].rotation.transpose() * poses_[neighbor.object].rotation;
-  return light_from(between.data(), neighbor.reaching.degree(), lights_[receiver].degree, turn.cast<float>());
+  radiance.at(GridCell(*neighbor.volume->grid, local(neighbor.object, point)), between.data());
+  return light_from(between.data(), radiance.degree(), lights_[receiver].degree, turn(receiver, neighbor));
 }
 
 LightCoefficients Neighborhoods::behind_all(std::size_t receiver, std::span<const Neighbor* const> neighbors,
@@ -141,8 +144,7 @@ LightCoefficients Neighborhoods::behind_all(std::size_t receiver, std::span<cons
     std::array<float, kMostCoefficients> own{};
     const TransferShape& shape = neighbor->volume->shape;
     GridCell(*neighbor->volume->grid, local(neighbor->object, point)).mix(neighbor->visibility, own.data());
-    const Eigen::Matrix3d turn = poses_[receiver].rotation.transpose() * poses_[neighbor->object].rotation;
-    rotate_function<float>(shape.function_degree(), turn.cast<float>(), own.data(), own.data());
+    rotate_function<float>(shape.function_degree(), turn(receiver, *neighbor), own.data(), own.data());
     if (neighbor == neighbors.front()) {
       product = own;
     } else {
@@ -162,11 +164,7 @@ LightCoefficients Neighborhoods::behind_all(std::size_t receiver, std::span<cons
   }
   for (const Neighbor* neighbor : neighbors) {
     if (!neighbor->sent) continue;
-    std::array<float, kChannels * kMostCoefficients> between;
-    neighbor->sent->at(GridCell(*neighbor->volume->grid, local(neighbor->object, point)), between.data());
-    const Eigen::Matrix3d turn = poses_[receiver].rotation.transpose() * poses_[neighbor->object].rotation;
-    const LightCoefficients sent =
-        light_from(between.data(), neighbor->sent->degree(), lights_[receiver].degree, turn.cast<float>());
+    const LightCoefficients sent = taken(receiver, *neighbor, *neighbor->sent, point);
     for (std::size_t c = 0; c < kChannels; ++c) {
       for (std::size_t i = 0; i < light.bands_squared(); ++i) light.at(c, i) += sent.at(c, i);
     }

@@ -50,10 +50,12 @@ class Neighborhoods {
     TransferredRadiance reaching;                  // in its axes
     std::optional<TransferredRadiance> sent = {};  // a part of it, where several volumes may overlap
   };
-  [[nodiscard]] LightCoefficients behind_one(std::size_t receiver, const Neighbor& neighbor,
-                                             const Eigen::Vector3d& local) const;
+  // The radiance of a neighbor at a point of the world, in the axes of the receiver.
+  [[nodiscard]] LightCoefficients taken(std::size_t receiver, const Neighbor& neighbor,
+                                        const TransferredRadiance& radiance, const Eigen::Vector3d& point) const;
   [[nodiscard]] LightCoefficients behind_all(std::size_t receiver, std::span<const Neighbor* const> neighbors,
                                              const Eigen::Vector3d& point) const;
+  [[nodiscard]] Eigen::Matrix3f turn(std::size_t receiver, const Neighbor& neighbor) const;
   [[nodiscard]] Eigen::Vector3d local(std::size_t object, const Eigen::Vector3d& point) const;
 
   std::vector<Pose> poses_;

@@ -42,9 +42,7 @@ void require_diffuse(const Transfer& transfer) {
 void require_no_albedo(const Transfer& transfer) {
   if (transfer.shape.holds_albedo) {
     throw std::invalid_argument(
-        "transfer with bounces or light through bodies holds its albedo and cannot be recolored; unshadowed or "
-        "shadowed "
-        "transfer can");
+        "transfer with bounces or light through bodies holds its albedo and cannot be recolored; other kinds can");
   }
 }
 

@@ -275,8 +275,7 @@ std::string_view holds(const Transfer& transfer) {
                ? "visibility V, 1 where the object blocks nothing: V times the light, on the bands of the result, and "
                  "the matrix times the light, what the object reflects, reach the point"
                : "visibility V, 1 where the object blocks nothing: V times the light, on the bands of the result, "
-                 "reaches "
-                 "the point";
+                 "reaches the point";
   }
   if (transfer.kind->is_length) {
     return "thickness: sum_i T_i Y_i(s) is the distance through the body from the vertex in direction s, into the body";

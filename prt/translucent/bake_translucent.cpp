@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numeric/output/progress.hpp"
 #include "prt/arrays.hpp"
 #include "prt/bake/gray.hpp"
 #include "prt/chunks.hpp"
@@ -24,7 +25,7 @@ namespace {
   throw std::invalid_argument(fmt::format("{}: {}", scene.name, why));
 }
 
-// The part of a constant irradiance that a flat, thick body gives back, the largest color.
+// The part of a constant irradiance that a flat, thick body gives back in one color.
 double reflectance_of(const Translucence& material, int color) {
   return Dipole(static_cast<double>(material.absorption[color]), static_cast<double>(material.scattering[color]),
                 static_cast<double>(material.ior))
@@ -145,15 +146,20 @@ Transfer bake_translucent(BakeJob job, BakeReport* report, const BakeObserver& s
     return std::any_of(mesh.translucences.heads.begin(), mesh.translucences.heads.end(),
                        [&](const Translucence& material) { return material.scatters() == scatters; });
   };
-  on_threads(settings.threads, [&] {
-    if (any(false)) {
-      const BodyRays rays = transmitted(mesh, job.scene.bake, settings.threads, settings.instruction_set);
-      report_open(job, rays);
-      measured.rays += rays.rays;
-      as_array(rows) += as_array(rays.rows);
-    }
-    if (any(true)) add_scattered(mesh, transfer.coefficients, count, rows);
-  });
+  try {
+    on_threads(settings.threads, [&] {
+      if (any(false)) {
+        const BodyRays rays = transmitted(mesh, job.scene.bake, settings.threads, settings.instruction_set);
+        report_open(job, rays);
+        measured.rays += rays.rays;
+        as_array(rows) += as_array(rays.rows);
+      }
+      if (any(true)) add_scattered(mesh, transfer.coefficients, count, rows);
+    });
+  } catch (const output::Interrupted&) {
+    if (measured.kept.empty()) throw;
+    throw output::Interrupted(measured.kept);
+  }
   take_rows(std::move(rows), transfer);
   if (report != nullptr) *report = measured;
   return transfer;

@@ -8,6 +8,7 @@
 // variate, as shadows do (prt/bake/steps.hpp): it is exact where nothing absorbs and nothing blocks.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
