@@ -293,10 +293,14 @@ bool any_array(const Kernel& kernel, const std::function<bool(const Parameter&)>
          std::any_of(kernel.results.begin(), kernel.results.end(), property);
 }
 
-// Coefficients that hold A_l / pi cannot be multiplied or convolved again.
+// Coefficients that hold A_l / pi cannot be multiplied or convolved again. In the value of a function at a direction,
+// products of coefficients are lengths and angles of its bands.
 void require_radiance(const Kernel& kernel, const std::string& name) {
-  const bool samples = any_array(kernel, [](const Parameter& array) { return array.role == Role::kSamples; });
-  const bool multiplies = samples || multiplies_coefficients(kernel);
+  const auto has_role = [&](Role role) {
+    return any_array(kernel, [role](const Parameter& array) { return array.role == role; });
+  };
+  const bool evaluates = has_role(Role::kDirection) && has_role(Role::kValue);
+  const bool multiplies = has_role(Role::kSamples) || (!evaluates && multiplies_coefficients(kernel));
   const bool convolves = any_array(kernel, [](const Parameter& array) { return array.role == Role::kIrradiance; });
   if (!multiplies && !convolves) return;
   throw std::invalid_argument("convention " + name + ": expected coefficients of radiance for " +

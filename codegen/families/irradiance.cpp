@@ -1,4 +1,8 @@
-// Irradiance from radiance coefficients: coefficients, the quadratic form of the normal, E(n), and the lightmap form.
+// Irradiance from radiance coefficients: coefficients, the quadratic form of the normal, E(n), the lightmap form, and
+// E(n) with a suggested band 2.
+#include <cln/real.h>
+
+#include <array>
 #include <cmath>
 
 #include "codegen/families/exact.hpp"
@@ -109,6 +113,92 @@ Reference lightmap_evaluate_reference(int degree, int points) {
   });
 }
 
+// --- a zonal band 2 that band 1 suggests
+
+using Band1 = std::array<cln::cl_RA, 3>;  // in the order y, z, x
+
+cln::cl_RA dot(const Band1& a, const Band1& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Band1 band1(const Rationals& c, int channel) { return {c[4 * channel + 1], c[4 * channel + 2], c[4 * channel + 3]}; }
+
+// The axis of all channels: band 1, or its luminance (Rec. 709).
+Band1 zh3_axis(const Rationals& c, int channels) {
+  if (channels == 1) return band1(c, 0);
+  const Band1 weights{cln::cl_RA(2126) / 10000, cln::cl_RA(7152) / 10000, cln::cl_RA(722) / 10000};
+  Band1 axis;
+  for (std::size_t i = 0; i < axis.size(); ++i)
+    axis[i] = dot(weights, {band1(c, 0)[i], band1(c, 1)[i], band1(c, 2)[i]});
+  return axis;
+}
+
+// A_2 Y_20 at the angle between the axis and the normal, by the addition theorem.
+cln::cl_F zh3_shape(const Band1& axis, std::span<const cln::cl_RA> normal) {
+  const std::array<cln::cl_RA, 3> along{axis[2], axis[0], axis[1]};
+  cln::cl_F sum = precise(0);
+  for (int i = 4; i < 9; ++i) sum = sum + precise(basis_value(i, along) * basis_value(i, normal));
+  return sum * precise(factor(6) * Surd::square_root(cln::cl_RA(4) / 5, 1)) / precise(dot(axis, axis));
+}
+
+// The fit of [RoughtonSloan24] times |c_1|; the quotient |c_1| / c_00 of radiance is at most sqrt(3).
+cln::cl_F zh3_coefficient(const cln::cl_F& size, const cln::cl_RA& c00) {
+  const cln::cl_F most = precise(Surd::square_root(3));
+  const bool is_radiance = c00 > 0 && size < most * precise(c00);
+  const cln::cl_F quotient = is_radiance ? size / precise(c00) : most;
+  return size * (precise(cln::cl_RA(8) / 100) + precise(cln::cl_RA(6) / 10) * quotient);
+}
+
+Reference zh3_reference(int degree, int points, int channels) {
+  const int count = coefficient_count(degree);
+  return reference_at(joined(rational_vectors(points, channels * count, 90), rational_directions(points)),
+                      [=](const Rationals& input) {
+                        const auto normal = std::span(input).last(3);
+                        const Band1 axis = zh3_axis(input, channels);
+                        const cln::cl_F shape = zh3_shape(axis, normal);
+                        std::vector<cln::cl_F> outputs;
+                        for (int channel = 0; channel < channels; ++channel) {
+                          const cln::cl_F size =
+                              precise(cln::abs(dot(axis, band1(input, channel)))) / cln::sqrt(precise(dot(axis, axis)));
+                          cln::cl_F sum = zh3_coefficient(size, input[count * channel]) * shape;
+                          for (int i = 0; i < count; ++i) {
+                            sum = sum + precise(Surd(input[count * channel + i]) * basis_value(i, normal) * factor(i));
+                          }
+                          outputs.push_back(sum);
+                        }
+                        return outputs;
+                      });
+}
+
+// Of radiance whose channels resemble each other, as light has them; a third has more in band 1 than radiance can have.
+Inputs zh3_inputs(int degree, int channels) {
+  const auto normals = some_test_directions(kInputs);
+  const int count = static_cast<int>(normals.size());
+  const Inputs shared = unit_vectors(count, coefficient_count(degree), 91);
+  Inputs all(normals.size());
+  for (int channel = 0; channel < channels; ++channel) {
+    Inputs own = unit_vectors(count, coefficient_count(degree), 92 + channel);
+    for (std::size_t point = 0; point < own.size(); ++point) {
+      for (std::size_t i = 0; i < own[point].size(); ++i) own[point][i] = shared[point][i] + 0.25 * own[point][i];
+      own[point][0] = point % 3 == 0 ? own[point][0] : 0.5 + std::abs(own[point][0]);
+    }
+    all = joined(std::move(all), own);
+  }
+  return joined(std::move(all), normals);
+}
+
+Family zh3_family(const std::string& name, Kernel (*recipe)(int), int channels, const std::string& size) {
+  return {.name = name,
+          .largest_written = 1,
+          .largest_emitted = 1,
+          .limit = kOneDegree,
+          .recipes = {{"suggested", recipe, 1, 1}},
+          .reference = [=](int degree, int points) { return zh3_reference(degree, points, channels); },
+          .domain = {.inputs = "coefficient vectors (random, of which a third is no radiance) with normals (random, "
+                               "axes, poles, near poles)",
+                     .unit = "the norm of c",
+                     .test_inputs = [=](int degree) { return zh3_inputs(degree, channels); },
+                     .sizes = {size}}};
+}
+
 }  // namespace
 
 std::vector<Family> irradiance_families() {
@@ -158,7 +248,9 @@ std::vector<Family> irradiance_families() {
        .limit = kOneDegree,
        .recipes = {{"dot", recipes::lightmap_evaluate, 1, 1}},
        .reference = lightmap_evaluate_reference,
-       .domain = {.inputs = kWithNormals, .unit = "the norm of e", .test_inputs = evaluate_inputs, .sizes = {"|e|"}}}};
+       .domain = {.inputs = kWithNormals, .unit = "the norm of e", .test_inputs = evaluate_inputs, .sizes = {"|e|"}}},
+      zh3_family("irradiance_zh3", recipes::irradiance_zh3, 1, "|c|"),
+      zh3_family("irradiance_zh3_rgb", recipes::irradiance_zh3_rgb, 3, "|c|")};
 }
 
 }  // namespace sh::codegen

@@ -141,6 +141,7 @@ void product(Table& table);
 void transfer(Table& table);
 void evaluate(Table& table);
 void project(Table& table);
+void irradiance(Table& table);
 void legendre(Table& table);
 void build(Table& table);
 void gaunt(Table& table);

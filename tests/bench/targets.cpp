@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
                                                                        {"transfer", sh::bench::transfer},
                                                                        {"evaluate", sh::bench::evaluate},
                                                                        {"project", sh::bench::project},
+                                                                       {"irradiance", sh::bench::irradiance},
                                                                        {"legendre", sh::bench::legendre},
                                                                        {"build", sh::bench::build},
                                                                        {"gaunt", sh::bench::gaunt}};

@@ -61,7 +61,7 @@ bool needs_radiance(const std::string& family) {
 }
 
 int degree_of(const std::string& family, int wanted) {
-  if (family.find("lightmap") == 0) return 1;
+  if (family.starts_with("lightmap") || family.starts_with("irradiance_zh3")) return 1;
   if (family == "irradiance_matrix") return 2;
   return family.find("window") == 0 ? std::max(wanted, 1) : wanted;
 }

@@ -165,15 +165,16 @@ Mutation rounded_to_float() {
   });
 }
 
-// The sign of one named constant changes, unless it is zero.
+// The sign of one named constant changes, unless it is zero or `other`, which divides zeros only.
 Mutation negated_constant(int which) {
   const auto seen = std::make_shared<int>();
   return {.text = [=](const std::string& text) {
     *seen = 0;
     return in_body(text, [&](const std::string& body) {
-      return replaced(body, std::regex(R"(= (-?)((?!0\.0\D)\d[^;]*);)"), [&](const std::smatch& match) {
+      return replaced(body, std::regex(R"((\w+ *)= (-?)((?!0\.0\D)\d[^;]*);)"), [&](const std::smatch& match) {
+        if (match[1].str().starts_with("other")) return match.str();
         const bool chosen = (*seen)++ == which;
-        return "= " + std::string(chosen == (match[1].length() > 0) ? "" : "-") + match[2].str() + ";";
+        return match[1].str() + "= " + std::string(chosen == (match[2].length() > 0) ? "" : "-") + match[3].str() + ";";
       });
     });
   }};

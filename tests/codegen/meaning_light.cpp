@@ -79,6 +79,51 @@ void check_irradiance_matrix(Check& check) {
   }
 }
 
+// Radiance of band l of a channel, at d.
+double radiance_of_band(const Check& check, const std::vector<double>& c, int l, const Vector3& d, int channel) {
+  return check.sum(
+      c, d, [&](int of) { return of == l ? 1 / check.held(l) : 0; }, check.degree, channel);
+}
+
+// The gradient of the radiance of band 1.
+Vector3 gradient_of_band1(const Check& check, const std::vector<double>& c, int channel) {
+  const auto along = [&](const Vector3& axis) { return radiance_of_band(check, c, 1, axis, channel); };
+  return {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
+}
+
+// Irradiance of bands 0 and 1, and of a band 2 about the axis whose radiance is `mean` (0.08 r + 0.6 r^2) sqrt(5) P_2:
+// r = the share of band 1 along the axis in a mean of 1 [RoughtonSloan24].
+double zh3(const Check& check, const std::vector<double>& c, const Vector3& n, int channel, const Vector3& axis) {
+  const double mean = radiance_of_band(check, c, 0, n, channel);
+  const double size = std::abs(dot(gradient_of_band1(check, c, channel), axis)) / std::sqrt(3.0);
+  const double quotient = mean > 0 ? std::min(size / mean, std::sqrt(3.0)) : std::sqrt(3.0);
+  const double band2 = size * (0.08 + 0.6 * quotient) * std::sqrt(5.0) * legendre(2, dot(axis, n));
+  return clamped_cosine(0) * mean + clamped_cosine(1) * radiance_of_band(check, c, 1, n, channel) +
+         clamped_cosine(2) * band2;
+}
+
+void check_zh3(Check& check) {
+  const auto c = check.coefficients();
+  const Vector3 n = check.direction();
+  check.expect(check.call("irradiance_zh3", Check::with({{"c", c}}, n)).at("irradiance")[0],
+               zh3(check, c, n, 0, unit(gradient_of_band1(check, c, 0))));
+}
+
+void check_zh3_rgb(Check& check) {
+  const auto c = check.coefficients(3);
+  const Vector3 n = check.direction();
+  Vector3 axis{};
+  for (int channel = 0; channel < 3; ++channel) {
+    const Vector3 gradient = gradient_of_band1(check, c, channel);
+    const double weight = std::array{0.2126, 0.7152, 0.0722}.at(static_cast<std::size_t>(channel));
+    for (std::size_t i = 0; i < 3; ++i) axis.at(i) += weight * gradient.at(i);
+  }
+  const auto rgb = check.call("irradiance_zh3_rgb", Check::with({{"c", c}}, n)).at("irradiance");
+  for (int channel = 0; channel < 3; ++channel) {
+    check.expect(rgb.at(static_cast<std::size_t>(channel)), zh3(check, c, n, channel, unit(axis)));
+  }
+}
+
 double linear_form(const std::vector<double>& e, const Vector3& n) {
   return e.at(0) + e.at(1) * n[1] + e.at(2) * n[2] + e.at(3) * n[0];
 }
@@ -151,6 +196,8 @@ std::vector<Meaning> light_meanings() {
           {"irradiance", check_irradiance},
           {"irradiance_matrix", check_irradiance_matrix},
           {"irradiance_evaluate", check_irradiance_evaluate},
+          {"irradiance_zh3", check_zh3},
+          {"irradiance_zh3_rgb", check_zh3_rgb},
           {"lightmap", check_lightmap},
           {"lightmap_project", check_lightmap_project},
           {"lightmap_evaluate", check_lightmap_evaluate},

@@ -47,6 +47,8 @@ TEST(ZonalFamilies, ErrorsStayWithinTheirLimits) {
                                   {"irradiance", 1.5, 1.5},
                                   {"irradiance_matrix", 1, 1},
                                   {"irradiance_evaluate", 3, 3},
+                                  {"irradiance_zh3", 9, 9},
+                                  {"irradiance_zh3_rgb", 9, 9},
                                   {"lightmap", 1.5, 1.5},
                                   {"lightmap_project", 1.5, 1.5},
                                   {"lightmap_evaluate", 2, 2},

@@ -17,6 +17,8 @@
 #include "generated/cpp/irradiance.hpp"
 #include "generated/cpp/irradiance_evaluate.hpp"
 #include "generated/cpp/irradiance_matrix.hpp"
+#include "generated/cpp/irradiance_zh3.hpp"
+#include "generated/cpp/irradiance_zh3_rgb.hpp"
 #include "generated/cpp/lightmap.hpp"
 #include "generated/cpp/lightmap_evaluate.hpp"
 #include "generated/cpp/lightmap_project.hpp"
@@ -187,6 +189,82 @@ TEST(GeneratedLightmap, ProjectsAndEvaluatesIrradianceOfDegreeOne) {
   }
   lightmap_l1(c.data(), c.data());  // in place
   EXPECT_EQ(c, e);
+}
+
+// Band 2 about the axis of band 1 that these coefficients suggest, turned by the kernel of zonal functions.
+std::array<double, 9> with_suggested_band(const std::array<double, 4>& c) {
+  const double size = std::sqrt(c[1] * c[1] + c[2] * c[2] + c[3] * c[3]);
+  const std::array<double, 3> zonal{0, 0, size * (0.08 + 0.6 * size / c[0])};
+  std::array<double, 9> all;
+  sh::zonal<2>(zonal.data(), c[3] / size, c[1] / size, c[2] / size, all.data());
+  std::copy(c.begin(), c.end(), all.begin());
+  return all;
+}
+
+TEST(GeneratedZh3, AddsAZonalBandAboutTheAxisOfBand1) {
+  for (const Direction& d : directions(20)) {
+    const double size = 0.1 + 0.8 * (1 + d[0]);  // up to sqrt(3), as radiance has it
+    const std::array<double, 4> c{1, size * d[1], size * d[2], size * d[0]};
+    const std::array<double, 9> all = with_suggested_band(c);
+    for (const Direction& n : directions(20)) {
+      const double expected = irradiance_evaluate_l2(all.data(), n[0], n[1], n[2]);
+      EXPECT_NEAR(irradiance_zh3_l1(c.data(), n[0], n[1], n[2]), expected, 4e-15);
+      // Three equal channels share the axis of each.
+      std::array<double, 12> gray;
+      for (std::size_t i = 0; i < gray.size(); ++i) gray[i] = c[i % 4];
+      std::array<double, 3> rgb;
+      irradiance_zh3_rgb_l1(gray.data(), n[0], n[1], n[2], rgb.data());
+      for (const double channel : rgb) EXPECT_NEAR(channel, expected, 4e-15);
+    }
+  }
+}
+
+TEST(GeneratedZh3, IsCloserToALightThanDegree1) {
+  // A light towards d: E(n) = max(0, d n), and its coefficients are the basis at d.
+  for (const Direction& d : directions(10)) {
+    const auto c = numeric::basis<double>(1, d[0], d[1], d[2]);
+    double of_degree_1 = 0;
+    double of_zh3 = 0;
+    for (const Direction& n : directions(200)) {
+      const double exact = std::max(0.0, d[0] * n[0] + d[1] * n[1] + d[2] * n[2]);
+      of_degree_1 += std::pow(irradiance_evaluate_l1(c.data(), n[0], n[1], n[2]) - exact, 2);
+      of_zh3 += std::pow(irradiance_zh3_l1(c.data(), n[0], n[1], n[2]) - exact, 2);
+    }
+    EXPECT_LT(of_zh3, 0.1 * of_degree_1);
+  }
+}
+
+TEST(GeneratedZh3, StaysFiniteWithoutAnAxisAndOutsideOfRadiance) {
+  const std::array<float, 4> black{};
+  EXPECT_EQ(irradiance_zh3_l1(black.data(), 0.0F, 0.0F, 1.0F), 0.0F);
+  const std::array<float, 4> constant{2, 0, 0, 0};
+  EXPECT_FLOAT_EQ(irradiance_zh3_l1(constant.data(), 0.6F, 0.0F, 0.8F),
+                  static_cast<float>(std::sqrt(std::numbers::pi)));
+  std::array<float, 12> channels{};
+  std::array<float, 3> rgb;
+  irradiance_zh3_rgb_l1(channels.data(), 0.0F, 0.0F, 1.0F, rgb.data());
+  EXPECT_EQ(rgb, (std::array<float, 3>{0, 0, 0}));
+  // At and beyond sqrt(3), the largest quotient of radiance, and without a mean or with a negative one.
+  for (const float mean : {1.0F, 0.57735F, 1e-6F, 1e-37F, 0.0F, -1.0F}) {
+    for (const float size : {1.0F, 1e-15F, 1e15F}) {
+      const std::array<float, 4> c{mean * size, 0, size, 0};
+      for (const float z : {1.0F, 0.0F, -1.0F}) {
+        const float x = z == 0 ? 1.0F : 0.0F;
+        // The band is at most (0.08 + 0.6 sqrt(3)) size.
+        const float linear = irradiance_evaluate_l1(c.data(), x, 0.0F, z);
+        EXPECT_LE(std::abs(irradiance_zh3_l1(c.data(), x, 0.0F, z) - linear), 0.56F * size) << mean << " " << size;
+        for (std::size_t i = 0; i < 12; ++i) channels[i] = c[i % 4];
+        irradiance_zh3_rgb_l1(channels.data(), x, 0.0F, z, rgb.data());
+        for (const float channel : rgb) EXPECT_LE(std::abs(channel - linear), 0.56F * size) << mean << " " << size;
+      }
+    }
+  }
+  // The channels' axes cancel: no luminance has an axis, and degree 1 remains.
+  channels = {1, 0, 0, 0.7152F, 1, 0, 0, -0.2126F, 1, 0, 0, 0};
+  irradiance_zh3_rgb_l1(channels.data(), 1.0F, 0.0F, 0.0F, rgb.data());
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(rgb[k], irradiance_evaluate_l1(&channels[4 * k], 1.0F, 0.0F, 0.0F), 0.56F * 0.7152F);
+  }
 }
 
 // Applies `window` to ones and compares with expected(l).

@@ -44,6 +44,11 @@ Kernel lightmap_project(int degree);
 /// e_0 + e_1 y + e_2 z + e_3 x.
 Kernel lightmap_evaluate(int degree);
 
+/// E(n) of degree 1 and of a zonal band 2 that band 1 suggests [RoughtonSloan24]. Degree 1 only.
+Kernel irradiance_zh3(int degree);
+/// The same for red, green and blue, about the axis of luminance.
+Kernel irradiance_zh3_rgb(int degree);
+
 /// The Hann window w_l = (1 + cos(pi l / w)) / 2 from cos(pi / w). With T_k = cos(k pi / w): w_2k = T_k^2 and
 /// w_(2k+1) = (1 - T_1) / 2 + T_k T_(k+1).
 Kernel window_hann(int degree);

@@ -1,5 +1,5 @@
-// Irradiance in its forms: irradiance (c in place), irradiance_matrix, irradiance_evaluate, lightmap, lightmap_project,
-// lightmap_evaluate. Against E(n) = sum A_l c_lm Y_lm(n) by the oracle's basis and clamped cosine.
+// Irradiance in its forms: irradiance (c in place), irradiance_matrix, irradiance_evaluate, irradiance_zh3, lightmap,
+// lightmap_project, lightmap_evaluate. Against E(n) = sum A_l c_lm Y_lm(n) by the oracle's basis and clamped cosine.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -70,6 +70,33 @@ void linear_form(const Real* c, Real* e) {
   std::copy(all.begin(), all.end(), e);
 }
 
+// E of bands 0 and 1 and of a zonal band 2 about the axis of band 1, by a fit [RoughtonSloan24]; of three channels about
+// the axis of luminance.
+template <class Real>
+void with_suggested_band(std::size_t channels, const Real* c, Real* out) {
+  using std::abs;
+  using std::sqrt;
+  const Real* const n = c + 4 * channels;
+  const std::array<Real, 3> weights = {Real(2126) / 10000, Real(7152) / 10000, Real(722) / 10000};
+  std::array<Real, 3> axis = {0, 0, 0};  // x, y, z
+  for (std::size_t k = 0; k < channels; ++k) {
+    const Real weight = channels == 1 ? Real(1) : weights[k];
+    for (std::size_t i = 0; i < 3; ++i) axis[i] += weight * c[4 * k + (i == 0 ? 3 : i)];
+  }
+  const Real length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+  for (Real& component : axis) component = length > 0 ? Real(component / length) : Real(0);
+  const Real cosine = axis[0] * n[0] + axis[1] * n[1] + axis[2] * n[2];
+  // Y_20 at this angle from the pole.
+  const Real y20 = basis(2, Real(sqrt(1 - cosine * cosine)), Real(0), cosine)[6];
+  const Real most = sqrt(Real(3));
+  for (std::size_t k = 0; k < channels; ++k) {
+    const Real size = abs(axis[0] * c[4 * k + 3] + axis[1] * c[4 * k + 1] + axis[2] * c[4 * k + 2]);
+    const Real quotient = size < most * c[4 * k] ? Real(size / c[4 * k]) : most;
+    out[k] = irradiance_at(1, c + 4 * k, n[0], n[1], n[2]) +
+             clamped_cosine_factor<Real>(2) * size * (Real(8) / 100 + Real(6) / 10 * quotient) * y20;
+  }
+}
+
 }  // namespace
 
 std::vector<ExactFamily> exact_irradiance() {
@@ -87,6 +114,8 @@ std::vector<ExactFamily> exact_irradiance() {
              const auto* const n = in + coefficient_count(degree);
              *out = irradiance_at(degree, in, n[0], n[1], n[2]);
            }},
+          {"irradiance_zh3", [](int /*degree*/, const auto* in, auto* out) { with_suggested_band(1, in, out); }},
+          {"irradiance_zh3_rgb", [](int /*degree*/, const auto* in, auto* out) { with_suggested_band(3, in, out); }},
           {"lightmap", [](int /*degree*/, const auto* in, auto* out) { linear_form(in, out); }},
           {"lightmap_project",
            [](int /*degree*/, const auto* in, auto* out) {
