@@ -125,6 +125,7 @@ Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan&
   if (run.rays) {
     report.rays += run.rays->tracer.rays();
     report.checkpoint = settings.checkpoint.path;
+    report.bounces = bounces_file(settings.checkpoint);
   }
   if (run.checkpoint) report.kept = run.checkpoint->interrupted();
   return std::move(run.transfer);
@@ -332,7 +333,9 @@ Transfer bake_to_file(const std::string& file, BakeJob job, BakeReport* report, 
   Transfer transfer = bake(std::move(job), &measured, say);
   if (!is_first) return {};
   write_transfer(file, transfer);
-  if (!measured.checkpoint.empty()) std::filesystem::remove(measured.checkpoint);
+  for (const std::string& done : {measured.checkpoint, measured.bounces}) {
+    if (!done.empty()) std::filesystem::remove(done);
+  }
   if (report != nullptr) *report = measured;
   return transfer;
 }

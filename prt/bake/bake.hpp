@@ -42,6 +42,8 @@ struct CheckpointSettings {
   Shard shard = {};
   std::vector<std::string> command = {};
   std::vector<std::string> parts = {};  // the checkpoints of all shards, from which the bake goes on
+  /// The iterates of bounces (prt/bake/bounce_checkpoint.hpp); empty: they stand beside `path`, if that is not empty.
+  std::string bounces = {};
 };
 
 struct BakeSettings {
@@ -75,6 +77,7 @@ struct BakeJob {
 struct BakeReport {
   std::uint64_t rays = 0;  // all traced rays
   std::string checkpoint;  // its file, unnecessary once the result is saved; empty if there was none
+  std::string bounces;     // the same of the iterates of bounces
   std::string kept;        // what a stop after the rays and bounces says of the checkpoint; empty if there was none
 };
 

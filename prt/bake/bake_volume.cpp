@@ -217,7 +217,8 @@ void trace(const Scene& scene, const VolumeOptions& options, const BakeSettings&
   } catch (const output::Interrupted&) {
     throw output::Interrupted(checkpoint.interrupted());
   }
-  report.bake = {setup.tracer.rays(), settings.checkpoint.path, {}};
+  report.bake.rays = setup.tracer.rays();
+  report.bake.checkpoint = settings.checkpoint.path;
   if (options.reflects) report.bake.rays += reflect(scene, bake, settings, volume);
   report.inside = fill_inside(result.sight, volume);
   report.border = blocked_at_border(volume);

@@ -13,8 +13,8 @@ class BounceSystem {
  public:
   /// All arguments must outlive this object.
   BounceSystem(const FormFactors& factors, const std::vector<Eigen::Vector3f>& albedo, const BounceLayout& layout,
-               const BounceOptions& options)
-      : factors_(factors), albedo_(albedo), layout_(layout), options_(options) {}
+               const BounceOptions& options, BounceCheckpoint* checkpoint = nullptr)
+      : factors_(factors), albedo_(albedo), layout_(layout), options_(options), checkpoint_(checkpoint) {}
 
   /// y = A x.
   void apply(const Panel& x, Panel& y);
@@ -22,6 +22,11 @@ class BounceSystem {
   void residual(const Panel& b, const Panel& x, Panel& r);
   /// Fills in bound, residual, largest and spectral_bound of the report for an iterate and its residual.
   void certify(const Panel& x, const Panel& r);
+  /// Keeps a state from which the solver can go on, if it is time; `before`: of the series.
+  void keep(BounceState::Phase phase, double before, const Panel& x, const Panel& r) const {
+    if (checkpoint_ == nullptr) return;
+    checkpoint_->keep({phase, static_cast<std::uint32_t>(report.applications), before}, x, r);
+  }
   /// True while applications and time are left.
   [[nodiscard]] bool may_go_on() const;
   /// True if the certified bound is within the tolerance.
@@ -34,6 +39,7 @@ class BounceSystem {
   const std::vector<Eigen::Vector3f>& albedo_;
   const BounceLayout& layout_;
   const BounceOptions& options_;
+  BounceCheckpoint* checkpoint_;
 };
 
 /// Rows that one task handles; the same for any number of threads.

@@ -73,10 +73,9 @@ bool is_slow(int applications, double before, double now) {
   return !(rate < 1.0) || std::log(1.0 / now) / std::log(rate) > kManyMore;
 }
 
-// x is a partial sum and r the term after it, which is the residual of x.
-void sum_series(BounceSystem& system, const BounceOptions& options, Panel& x, Panel& r) {
+// x is a partial sum and r the term after it, which is the residual of x. before: the excess of the sum before.
+void sum_series(BounceSystem& system, const BounceOptions& options, double before, Panel& x, Panel& r) {
   Panel next(x.rows, x.columns);
-  double before = kInfinity;
   while (true) {
     system.certify(x, r);
     const double now = excess(system.report, options.tolerance);
@@ -88,6 +87,7 @@ void sum_series(BounceSystem& system, const BounceOptions& options, Panel& x, Pa
     for_rows(x.rows, [&](std::size_t first, std::size_t last) { x.block(first, last) += r.block(first, last); });
     system.apply(r, next);
     std::swap(r, next);
+    system.keep(BounceState::Phase::kSeries, before, x, r);
   }
 }
 
@@ -156,19 +156,25 @@ bool BounceSystem::is_solved() const {
 }
 
 BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::Vector3f>& albedo, BounceLayout layout,
-                           Panel& x, const BounceOptions& options) {
+                           Panel& x, const BounceOptions& options, BounceCheckpoint* checkpoint) {
   check_shapes(factors, albedo, layout, x, options);
   for (std::size_t v = 0; v < x.rows; ++v) {
     for (std::size_t c = 0; c < kChannels; ++c) x.row(v)[layout.channel(c) + layout.count] = 1.0;
   }
-  BounceSystem system(factors, albedo, layout, options);
+  BounceSystem system(factors, albedo, layout, options, checkpoint);
   BounceReport& report = system.report;
   const Panel b = x;
   Panel r(x.rows, x.columns);
-  system.apply(x, r);
-  if (options.solver != BounceSolver::kKrylov) {
+  const std::optional<BounceState> kept = checkpoint == nullptr ? std::nullopt : checkpoint->load(x, r);
+  if (kept) {
+    report.applications = static_cast<int>(kept->applications);
+  } else {
+    system.apply(x, r);
+  }
+  const bool is_in_krylov = kept && kept->phase == BounceState::Phase::kKrylov;
+  if (options.solver != BounceSolver::kKrylov && !is_in_krylov) {
     report.solver = "series";
-    sum_series(system, options, x, r);
+    sum_series(system, options, kept ? kept->before : kInfinity, x, r);
     if (system.is_solved() && report.applications > 1) {  // the last term is the residual up to the terms' roundings
       system.residual(b, x, r);
       system.certify(x, r);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "prt/bake/bounce_checkpoint.hpp"
 #include "prt/bake/form_factors.hpp"
 #include "prt/scene/options.hpp"
 #include "prt/transfer/transfer.hpp"
@@ -30,9 +31,9 @@ struct BounceLayout {
 };
 
 /// On input x holds b in the columns of the right sides; on output it holds the solution. albedo (vertices), linear
-/// RGB, 0..1. The same bits for any number of threads. Throws std::invalid_argument if shapes differ or the tolerance
-/// is not positive.
+/// RGB, 0..1. The same bits for any number of threads, and where the solver goes on from a checkpoint. Throws
+/// std::invalid_argument if shapes differ or the tolerance is not positive, and like BounceCheckpoint.
 BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::Vector3f>& albedo, BounceLayout layout,
-                           Panel& x, const BounceOptions& options = {});
+                           Panel& x, const BounceOptions& options = {}, BounceCheckpoint* checkpoint = nullptr);
 
 }  // namespace sh::prt

@@ -26,7 +26,7 @@ constexpr std::size_t kPanels = 4;            // of the series: sum, term, next 
 constexpr std::size_t kBytesADirection = 72;  // of a thread's buffers
 constexpr double kUsedOfBudget = 5.0 / 6.0;
 constexpr double kBouncesOfBudget = 0.5;
-constexpr double kMostBounces = 60.0;  // then the Krylov solver is quicker
+constexpr double kSeriesAtMost = 60.0;  // then the Krylov solver is quicker
 
 std::size_t resident_memory() {
   std::size_t pages = 0;
@@ -93,7 +93,7 @@ void estimate_bounces(const BakeJob& job, const FormFactors& all, const std::vec
   estimate.bounce_seconds += (1.0 - kept) * estimate.pass_seconds;
   const double rate = sum > 0.0 ? std::min(square / sum, 0.99) : 0.0;  // light goes where much of it comes back
   estimate.bounces = rate > 0.0 ? std::log(scene.bake.bounces.tolerance) / std::log(rate) : 1.0;
-  estimate.bounces = std::clamp(std::ceil(estimate.bounces), 1.0, kMostBounces);
+  estimate.bounces = std::clamp(std::ceil(estimate.bounces), 1.0, kSeriesAtMost);
   const Panel row(1, layout.columns());
   estimate.bytes += std::min(estimate.factor_bytes, memory) +
                     scene.mesh.positions.size() * (kPanels * row.columns * sizeof(double) +

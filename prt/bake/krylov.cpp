@@ -83,6 +83,7 @@ void solve_krylov(BounceSystem& system, const Panel& b, Panel& x, Panel& r) {
     run_cycle(system, x, r);
     system.residual(b, x, r);
     system.certify(x, r);
+    if (system.may_go_on()) system.keep(BounceState::Phase::kKrylov, 0.0, x, r);  // else the cycle may have no end
   }
 }
 

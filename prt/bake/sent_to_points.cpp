@@ -71,8 +71,8 @@ void add_sent(const RaySetup& setup, const Transfer& surfaces, const TransferSha
     for (std::size_t c = 0; c < kChannels; ++c) {
       const double part =
           4.0 * std::numbers::pi * first.part * static_cast<double>(leg.throughput[static_cast<Eigen::Index>(c)]);
-      using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-      Eigen::Map<Matrix>(worker.sums.data() + c * shape.count(), rows, columns).noalias() +=
+      using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      Eigen::Map<Block>(worker.sums.data() + c * shape.count(), rows, columns).noalias() +=
           part * Eigen::Map<const Eigen::VectorXd>(seen.data(), rows) *
           Eigen::Map<const Eigen::RowVectorXd>(worker.light.data() + c * shape.columns(), columns);
     }

@@ -164,7 +164,12 @@ void add_bounces(BakeRun& run) {
   const std::size_t emitted = scene.mesh.emission.empty() ? 0 : 1;
   const BounceLayout layout{transfer.shape.count() + emitted, emitted};
   Panel x = direct_light(scene.mesh, transfer, layout);
-  transfer.bounces = solve_bounces(*run.factors, scene.mesh.albedo, layout, x, scene.bake.bounces);
+  const CheckpointSettings& kept = run.settings.checkpoint;
+  BounceCheckpoint checkpoint(
+      {.path = bounces_file(kept), .restart = kept.restart, .seconds = kept.seconds},
+      bounce_key(bake_key(scene, transfer.instruction_set, run.open), scene.bake.bounces, scene.mesh.albedo, x),
+      run.settings.ranks);
+  transfer.bounces = solve_bounces(*run.factors, scene.mesh.albedo, layout, x, scene.bake.bounces, &checkpoint);
   transfer.bounces.directions = static_cast<std::uint32_t>(scene.bake.fewer_for_bounces());
   if (!run.settings.ranks.is_first()) return;
   check_bounces(run);

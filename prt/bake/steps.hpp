@@ -50,6 +50,11 @@ void trace_shadows(BakeRun& run);
 /// converge are reported as a flaw.
 void add_bounces(BakeRun& run);
 
+/// Where the iterates of bounces are kept; empty: nowhere.
+inline std::string bounces_file(const CheckpointSettings& settings) {
+  return settings.path.empty() || !settings.bounces.empty() ? settings.bounces : bounces_beside(settings.path);
+}
+
 /// The light that leaves every vertex without bounces, a panel of this layout: albedo * T, and the emission. `transfer`
 /// holds shadowed vectors of one channel.
 Panel direct_light(const Mesh& mesh, const Transfer& transfer, const BounceLayout& layout);

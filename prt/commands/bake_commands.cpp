@@ -8,6 +8,7 @@
 
 #include "numeric/output/atomic_file.hpp"
 #include "prt/bake/bake.hpp"
+#include "prt/bake/bounce_checkpoint.hpp"
 #include "prt/bake/checkpoint.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
@@ -74,7 +75,11 @@ CheckpointSettings checkpoint_of(const BakeCommand& options) {
             .shard = shard_named(options.shard),
             .command = options.command};
   }
-  if (!options.parts.empty()) return {.path = {}, .parts = options.parts};
+  if (!options.parts.empty()) {
+    const bool is_special =
+        std::filesystem::exists(options.output) && !std::filesystem::is_regular_file(options.output);
+    return {.path = {}, .parts = options.parts, .bounces = is_special ? std::string() : bounces_beside(options.output)};
+  }
   CheckpointOptions checkpoint = options.checkpoint;
   checkpoint.none = checkpoint.none || options.budget_seconds || options.only_estimate;
   return checkpoint.settings(options.output);

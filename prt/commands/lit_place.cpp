@@ -61,6 +61,6 @@ LitPlace::LitPlace(const LitPlaceOptions& options)
       poses_(subject_.poses_at(options.time)),
       mesh_(subject_.mesh(poses_)),
       tracer_(mesh_),
-      surface_(subject_.surface(poses_, mesh_, Eigen::Matrix3d::Identity())) {}
+      surface_(subject_.surface(poses_, Eigen::Matrix3d::Identity())) {}
 
 }  // namespace sh::prt

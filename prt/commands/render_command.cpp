@@ -87,8 +87,8 @@ class ShownSubject : public Shown {
   }
 
   [[nodiscard]] Picture picture(const View& view, const Background& background, const std::string& what) override {
-    return render(mesh_, *tracer_, subject_.surface(poses_, mesh_, view.light_turn), view.camera, options_.size,
-                  background, what);
+    return render(mesh_, *tracer_, subject_.surface(poses_, view.light_turn), view.camera, options_.size, background,
+                  what);
   }
 
  private:

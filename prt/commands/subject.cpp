@@ -56,9 +56,14 @@ ChosenLight without_windows_if_sharp(ChosenLight chosen, const SubjectOptions& o
   return chosen;
 }
 
-/// The stage, but for the objects that are left out.
+/// The stage, but for the objects that are left out, with the chosen lobe.
 Stage stage_without(const SubjectOptions& options) {
   Stage stage = load_stage(options.file, options.transfers);
+  for (StageObject& object : stage.objects) {
+    if (options.shading.lobe.empty()) break;
+    options.shading.require_fit(*object.transfer, kMaxDegree);
+    object.transfer = std::make_shared<const Transfer>(options.shading.with_lobe(*object.transfer));
+  }
   for (const std::string& name : options.without) {
     const auto removed = std::erase_if(stage.objects, [&](const StageObject& object) { return object.name == name; });
     if (removed > 0) continue;
@@ -139,9 +144,10 @@ Subject::Subject(const SubjectOptions& options, bool is_stage, Stage stage)
     if (object.transfer->missing.any()) tell_once(coarseness(is_stage_ ? object.name : options.file, *object.transfer));
   }
   if (options.sharp) {
-    if (!is_glossy_ || options.shading.white) {
+    if (!is_glossy_ || is_stage_ || options.shading.white) {
       throw std::runtime_error(fmt::format(
-          "{}: --sharp: expected glossy transfer and light in color; it adds to the lobes of surfaces", file_));
+          "{}: --sharp: expected a file of glossy transfer and light in color; it adds to the lobes of surfaces",
+          file_));
     }
     make_sharp();
   }
@@ -180,19 +186,19 @@ TransferredRadiance Subject::reaching(const Eigen::Matrix3d& light_turn) const {
 std::vector<Eigen::Vector3f> Subject::radiance(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
                                                const Eigen::Vector3d& eye) const {
   std::vector<Eigen::Vector3f> radiance =
-      is_glossy_ ? exit_radiance(transfer(), reaching(light_turn), eye, shading_.albedo(transfer().mesh))
-      : local_   ? local_radiance(light_turn)
-                 : lighting_.radiance(poses, light_turn);
+      local_ ? local_radiance(light_turn) : lighting_.radiance(poses, light_turn, eye);
   require_finite(radiance, file_);
   return radiance;
 }
 
-Surface Subject::surface(const std::vector<Pose>& poses, const Mesh& mesh, const Eigen::Matrix3d& light_turn) const {
-  if (!is_glossy_) {
-    return diffuse_surface(mesh, radiance(poses, light_turn, Eigen::Vector3d::Zero()), emitted(mesh.positions.size()),
-                           colors(mesh));
+Surface Subject::object_surface(const LitStage& stage, std::size_t index, const Eigen::Matrix3d& light_turn) const {
+  const Transfer& transfer = *stage_.objects[index].transfer;
+  if (!transfer.kind->is_glossy()) {
+    std::vector<Eigen::Vector3f> radiance =
+        local_ ? local_radiance(light_turn) : stage.radiance(index, Eigen::Vector3d::Zero());
+    require_finite(radiance, file_);
+    return diffuse_surface(transfer.mesh, std::move(radiance), transfer.emitted, colors(transfer.mesh));
   }
-  const Transfer& transfer = this->transfer();
   MoreOfLobe more;
   if (sharp_) {
     more = [this, &transfer, back = light_turn.transpose().cast<float>().eval()](
@@ -200,25 +206,38 @@ Surface Subject::surface(const std::vector<Pose>& poses, const Mesh& mesh, const
       return visibility_towards(transfer, hit, direction) * sharp_->at(vertex, back * direction);
     };
   }
-  return glossy_surface(transfer, reaching(light_turn), colors(transfer.mesh), std::move(more));
+  return glossy_surface(transfer, stage.reaching(index), colors(transfer.mesh), std::move(more));
 }
 
-// The pictures of merged meshes have one order.
+// The faces of the merged mesh are those of the objects, one object after another.
+Surface Subject::surface(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn) const {
+  struct Placed {
+    std::uint32_t end;  // of its faces
+    Eigen::Matrix3f to_object;
+    Surface surface;
+  };
+  const LitStage stage = lighting_.at(poses, light_turn);
+  std::vector<Placed> objects;
+  for (std::size_t i = 0; i < stage_.objects.size(); ++i) {
+    const auto faces = static_cast<std::uint32_t>(stage_.objects[i].transfer->mesh.faces.size());
+    objects.push_back({(objects.empty() ? 0 : objects.back().end) + faces, poses[i].rotation.transpose().cast<float>(),
+                       object_surface(stage, i, light_turn)});
+  }
+  if (objects.size() == 1 && poses.front() == Pose()) return objects.front().surface;
+  return [objects = std::move(objects)](const Hit& hit, const Eigen::Vector3f& direction) {
+    const auto object = std::upper_bound(objects.begin(), objects.end(), hit.face,
+                                         [](std::uint32_t face, const Placed& placed) { return face < placed.end; });
+    Hit own = hit;
+    if (object != objects.begin()) own.face -= std::prev(object)->end;
+    return object->surface(own, object->to_object * direction);
+  };
+}
+
 SurfaceColors Subject::colors(const Mesh& mesh) const {
   if (!shading_.recolor.empty()) return {mesh, shading_.albedo(mesh)};
-  if (pictures_ == nullptr) pictures_ = decoded(mesh.albedo_maps, file_);
-  return {mesh, pictures_};
-}
-
-std::vector<Eigen::Vector3f> Subject::emitted(std::size_t vertices) const {
-  std::vector<Eigen::Vector3f> all;
-  for (const StageObject& object : stage_.objects) {
-    const std::vector<Eigen::Vector3f>& own = object.transfer->emitted;
-    all.insert(all.end(), own.begin(), own.end());
-    if (own.empty()) all.resize(all.size() + object.transfer->mesh.positions.size(), Eigen::Vector3f::Zero());
-  }
-  all.resize(vertices, Eigen::Vector3f::Zero());
-  return all;
+  DecodedPictures& pictures = pictures_[&mesh];
+  if (pictures == nullptr) pictures = decoded(mesh.albedo_maps, file_);
+  return {mesh, pictures};
 }
 
 std::vector<Eigen::Vector3f> Subject::local_radiance(const Eigen::Matrix3d& light_turn) const {

@@ -2,6 +2,7 @@
 // files of their frames.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -63,17 +64,17 @@ class Subject {
   [[nodiscard]] std::vector<Eigen::Vector3f> albedo() const { return shading_.albedo(transfer().mesh); }
   /// The radiance that reaches the vertices of a glossy transfer file.
   [[nodiscard]] TransferredRadiance reaching(const Eigen::Matrix3d& light_turn) const;
-  /// What a picture of mesh(poses) shows. This object and `mesh`, which is mesh(poses), must outlive it.
-  [[nodiscard]] Surface surface(const std::vector<Pose>& poses, const Mesh& mesh,
-                                const Eigen::Matrix3d& light_turn) const;
+  /// What a picture of mesh(poses) shows. This object must outlive it.
+  [[nodiscard]] Surface surface(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn) const;
 
  private:
   Subject(const SubjectOptions& options, bool is_stage, Stage stage);
   [[nodiscard]] std::vector<Eigen::Vector3f> local_radiance(const Eigen::Matrix3d& light_turn) const;
-  /// The albedo that pictures of the mesh show.
+  /// What an object shows to rays in its own axes.
+  [[nodiscard]] Surface object_surface(const LitStage& stage, std::size_t index,
+                                       const Eigen::Matrix3d& light_turn) const;
+  /// The albedo that pictures of an object's mesh show.
   [[nodiscard]] SurfaceColors colors(const Mesh& mesh) const;
-  /// The light that the vertices of the merged mesh emit.
-  [[nodiscard]] std::vector<Eigen::Vector3f> emitted(std::size_t vertices) const;
   void make_sharp();
   void tell_once(const std::string& line);
 
@@ -88,7 +89,7 @@ class Subject {
   std::optional<LightSamples> local_;  // of `--local`
   std::optional<SharpLayer> sharp_;    // of `--sharp`
   std::set<std::string> told_;
-  mutable DecodedPictures pictures_;  // null: not needed yet
+  mutable std::map<const Mesh*, DecodedPictures> pictures_;  // of objects that were shown
 };
 
 /// Throws std::invalid_argument unless 1 <= frames <= 1000, so that frame numbers have three digits.

@@ -55,7 +55,7 @@ std::string bytes_of(const std::string& file) {
 std::string name_of(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
 ViewedFile viewed(const std::string& file, std::shared_ptr<const Transfer> transfer) {
-  if (transfer->mesh.positions.empty() || transfer->mesh.faces.empty()) {
+  if (!transfer->grid && (transfer->mesh.positions.empty() || transfer->mesh.faces.empty())) {
     throw std::runtime_error(fmt::format("{}: a transfer without faces: nothing to view", file));
   }
   return {name_of(file), bytes_of(file), std::move(transfer)};
@@ -63,7 +63,10 @@ ViewedFile viewed(const std::string& file, std::shared_ptr<const Transfer> trans
 
 /// The transfer is read first: it checks the bytes.
 ViewedFile viewed(const std::string& file) {
-  return viewed(file, std::make_shared<const Transfer>(read_transfer(file)));
+  const TransferKind* kind = kind_of_file(file);
+  const bool is_medium = kind != nullptr && kind->in_medium;
+  return viewed(file,
+                std::make_shared<const Transfer>(read_transfer(file, is_medium ? medium_kinds() : surface_kinds())));
 }
 
 /// The place of a file among those of the page, which has each once.
@@ -95,6 +98,11 @@ void add_stage(const std::string& file, const ViewCommand& options, Chosen& chos
       throw std::runtime_error(fmt::format(
           "{}: {}: a page does not sample light from the scene; expected objects without `light_from` scene", file,
           object.name));
+    }
+    if (object.per_vertex && object.transfer->kind->is_glossy()) {
+      throw std::runtime_error(
+          fmt::format("{}: {}: a page gathers the light of glossy objects at their centers; expected `light_at` center",
+                      file, object.name));
     }
     if (object.volume) {
       throw std::runtime_error(fmt::format(
@@ -147,7 +155,8 @@ std::string module_of(const ViewCommand& options) {
     throw std::runtime_error(fmt::format("{}: a module relights files like one: expected one transfer file, got {}",
                                          options.output, fmt::join(options.files, ", ")));
   }
-  return viewer_module(*viewed(options.files.front()).transfer);
+  const std::string& file = options.files.front();
+  return viewer_module(*viewed(file, std::make_shared<const Transfer>(read_transfer(file))).transfer);
 }
 
 void write(const ViewCommand& options) {

@@ -100,14 +100,15 @@ class Collector {
 
   void visit(const aiNode& node, const Eigen::Affine3d& parent) {
     const Eigen::Affine3d map = parent * to_eigen(node.mTransformation);
-    for (unsigned i = 0; i < node.mNumMeshes; ++i) add(*scene_.mMeshes[node.mMeshes[i]], map);
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) add(*scene_.mMeshes[node.mMeshes[i]], map, node.mName.C_Str());
     for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], map);
   }
 
-  void add(const aiMesh& mesh, const Eigen::Affine3d& map) {
+  void add(const aiMesh& mesh, const Eigen::Affine3d& map, const std::string& node) {
     Soup part;
     const aiMaterial* material = material_of(mesh);
-    const MaterialChange change = changes_.of(name_of(material));
+    part.nodes = {MeshNode{node, name_of(material)}};
+    const MaterialChange change = changes_.of(part.nodes[0].material);
     const Eigen::Vector3f albedo = albedo_of(material, mesh.HasVertexColors(0));
     if (has_unread_textures(material) && !change.reflection) textured_.insert(material);
     const bool has_coordinates = mesh.HasTextureCoords(0);
@@ -143,6 +144,8 @@ class Collector {
     const auto index = static_cast<std::uint32_t>(known - soup.finishes.begin());
     if (known == soup.finishes.end()) soup.finishes.push_back(finish);
     soup.finish.insert(soup.finish.end(), part.faces.size(), index);
+    soup.node.insert(soup.node.end(), part.faces.size(), static_cast<std::uint32_t>(soup.nodes.size()));
+    soup.nodes.push_back(part.nodes[0]);
     const auto first = static_cast<std::uint32_t>(soup.positions.size());
     soup.rounding = std::max(soup.rounding, part.rounding);
     soup.positions.insert(soup.positions.end(), part.positions.begin(), part.positions.end());

@@ -17,6 +17,7 @@
 #include "prt/material/translucence.hpp"
 #include "prt/mesh/atlas.hpp"
 #include "prt/mesh/frame.hpp"
+#include "prt/mesh/node.hpp"
 
 namespace sh::prt {
 
@@ -53,6 +54,7 @@ struct Mesh {
   Pictures albedo_maps;
   Translucences translucences;  // not in files
   Atlases atlases;
+  std::vector<MeshNode> nodes;  // of the files and primitives; faces made in code, such as the ground, belong to none
   Frame frame;
 
   /// A vertex in the world, in the unit of the scene.

@@ -72,6 +72,7 @@ void transform(Soup& soup, const Eigen::Affine3d& map) {
   for (Eigen::Vector3f& normal : soup.normals) {
     normal = (cofactors * normal.cast<double>() * (determinant < 0.0 ? -1.0 : 1.0)).normalized().cast<float>();
   }
+  for (MeshNode& node : soup.nodes) node.to_world = map * node.to_world;
   soup.rounding *= linear.norm() / std::numbers::sqrt3;
   if (determinant < 0.0) {
     for (Face& face : soup.faces) std::swap(face[1], face[2]);
@@ -121,12 +122,14 @@ std::size_t drop_faces_without_area(Soup& soup) {
     if (has_area(soup.positions[face[0]], soup.positions[face[1]], soup.positions[face[2]])) {
       soup.faces[kept] = face;
       if (!soup.finish.empty()) soup.finish[kept] = soup.finish[f];
+      if (!soup.node.empty()) soup.node[kept] = soup.node[f];
       ++kept;
     }
   }
   const std::size_t dropped = soup.faces.size() - kept;
   soup.faces.resize(kept);
   soup.finish.resize(soup.finish.empty() ? 0 : kept);
+  soup.node.resize(soup.node.empty() ? 0 : kept);
   return dropped;
 }
 
@@ -171,6 +174,8 @@ std::size_t complete_normals(Soup& soup, float crease_degrees) {
   }
   corners.finish = std::move(soup.finish);  // the faces and their order are the same
   corners.finishes = std::move(soup.finishes);
+  corners.node = std::move(soup.node);
+  corners.nodes = std::move(soup.nodes);
   corners.rounding = soup.rounding;
   soup = std::move(corners);
   return replaced;

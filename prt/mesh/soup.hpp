@@ -101,12 +101,15 @@ struct Soup {
   std::vector<std::uint32_t> source;     // vertex of the file each vertex came from; empty: itself
   std::vector<std::uint32_t> finish;     // (faces) into `finishes`; empty: every face has the first
   std::vector<Finish> finishes{Finish{}};
+  std::vector<std::uint32_t> node;  // (faces) into `nodes`; empty: every face has the first, if there is one
+  std::vector<MeshNode> nodes;      // without their faces
   double rounding = 0.0;  // largest error of a coordinate that single precision in the file brought, in its unit
 
   [[nodiscard]] std::uint32_t finish_of(std::size_t face) const { return finish.empty() ? 0 : finish[face]; }
+  [[nodiscard]] std::uint32_t node_of(std::size_t face) const { return node.empty() ? 0 : node[face]; }
 };
 
-/// Maps points by `map`, and normals by its inverse transpose. A map that mirrors also turns the faces around.
+/// Maps points and nodes by `map`, and normals by its inverse transpose. A map that mirrors also turns the faces around.
 void transform(Soup& soup, const Eigen::Affine3d& map);
 
 /// Throws std::runtime_error, one line that begins with `name`, if there are no vertices or no faces, if a face names a

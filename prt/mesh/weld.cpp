@@ -186,6 +186,10 @@ void append(Mesh& mesh, const Mesh& part) {
   append_all(mesh.normals, part.normals);
   append_all(mesh.geometric_normals, part.geometric_normals);
   append_all(mesh.albedo, part.albedo);
+  for (MeshNode node : part.nodes) {
+    for (auto& run : node.faces) run[0] += static_cast<std::uint32_t>(mesh.faces.size());
+    mesh.nodes.push_back(std::move(node));
+  }
   for (const Face& face : part.faces) mesh.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
   for (const std::uint32_t vertex : part.remap) mesh.remap.push_back(vertex == kNoVertex ? kNoVertex : vertex + first);
 }

@@ -59,6 +59,8 @@ class FileShadersWriter {
       if (has_pixels) add_pixels();
       add_exit(relight_);
       relight_.add("glossy_relight.vert");
+    } else if (transfer_.shape.rows() > 1) {
+      add_medium();
     } else {
       add_diffuse();
     }
@@ -115,6 +117,23 @@ class FileShadersWriter {
     relight_.add("relight_rows.vert");
   }
 
+  /// Rows are not clustered: those of media never are.
+  void add_medium() {
+    const TransferShape& shape = transfer_.shape;
+    const PointGrid& grid = transfer_.grid.value();
+    relight_.define("CHANNELS", shape.channels);
+    relight_.define("ROWS", shape.rows());
+    relight_.define("ROW_OF(n, c)", "(((n) / ROWS * CHANNELS + (c)) * ROWS + (n) % ROWS)");
+    define_kept(relight_);
+    relight_.use("RELIGHT", "relight_colored", shape.degree);
+    relight_.use("BASIS", "basis", shape.result_degree);
+    const Eigen::Vector3d cell = grid.spacing();
+    relight_.declare(fmt::format("const ivec2 grid = ivec2({}, {});\nconst vec3 cell = vec3({:.9e}, {:.9e}, {:.9e});\n",
+                                 grid.counts[0], grid.counts[1], cell.x(), cell.y(), cell.z()));
+    relight_.add("row_sums.glsl");
+    relight_.add("relight_medium.vert");
+  }
+
   void add_glossy() {
     const TransferShape& shape = transfer_.shape;
     const TransferShape& matrices = transfer_.indirect_shape;
@@ -163,6 +182,7 @@ class FileShadersWriter {
     } else {
       pixel.add("glossy_light.glsl");
     }
+    if (!transfer_.mesh.albedo_map.empty()) both("PICTURES", 1);
     const bool has_maps = !transfer_.mesh.normal_map.empty();
     if (has_maps) both("MAPS", 1);
     vertex.add("pixels.glsl");
@@ -233,7 +253,9 @@ std::size_t vectors_carried(const Transfer& transfer) {
 std::size_t vectors_between(const Transfer& transfer) {
   constexpr std::size_t kOthers = 6;  // position, normal, albedo, lobe, BRDF, emitted
   constexpr std::size_t kOfMaps = 3;
-  return vectors_carried(transfer) + kOthers + (transfer.mesh.normal_map.empty() ? 0 : kOfMaps);
+  constexpr std::size_t kOfPictures = 2;
+  return vectors_carried(transfer) + kOthers + (transfer.mesh.normal_map.empty() ? 0 : kOfMaps) +
+         (transfer.mesh.albedo_map.empty() ? 0 : kOfPictures);
 }
 
 std::string places_of_maps(const NormalMaps& maps) {

@@ -136,6 +136,35 @@ TransferredRadiance TransferredRadiance::sent(const Transfer& volume, const Ligh
   return radiance;
 }
 
+TransferredRadiance TransferredRadiance::at_vertices(
+    const Transfer& transfer, const std::function<LightCoefficients(std::size_t vertex)>& light) {
+  if (!transfer.kind->is_glossy() || transfer.kind->has_bounces() || transfer.grid) {
+    throw std::invalid_argument(fmt::format("transfer of kind {} under a light at each vertex; expected {} or {}",
+                                            transfer.kind->letters, kGlossyUnshadowed.letters,
+                                            kGlossyShadowed.letters));
+  }
+  TransferredRadiance radiance;
+  const int degree = transfer.degree();
+  radiance.degree_ = degree;
+  radiance.stride_ = kChannels * coefficient_count(degree);
+  radiance.values_.resize(transfer.mesh.positions.size() * radiance.stride_);
+  for_vertices(transfer.mesh.positions.size(), [&](std::size_t v) {
+    const LightCoefficients own = light(v);
+    require_light(transfer, own);
+    const std::vector<float> wide = in_single(own, degree);
+    float* const out = radiance.values_.data() + v * radiance.stride_;
+    if (transfer.shape.meets == Meets::kNothing) {
+      std::copy(wide.begin(), wide.end(), out);
+      return;
+    }
+    std::vector<float> room;
+    const std::vector<float> samples = prepared_light(degree, wide.data());
+    batch::transfer_apply_rgb(degree, 1, batch::plain(transfer.row(v, room)), samples.data(), batch::plain(out));
+  });
+  require_single(transfer, radiance.values_, [](float value) { return std::isfinite(value); });
+  return radiance;
+}
+
 void TransferredRadiance::meet(const Transfer& transfer, const LightCoefficients& light) {
   degree_ = transfer.degree();
   stride_ = 0;

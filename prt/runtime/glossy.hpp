@@ -32,6 +32,10 @@ class TransferredRadiance {
   TransferredRadiance(const Transfer& transfer, const LightCoefficients& light) { meet(transfer, light); }
   /// The same again, for the next frame, in the memory that is there.
   void meet(const Transfer& transfer, const LightCoefficients& light);
+  /// Under a light of its own at every vertex, light(vertex): of a light of its degree. Not for transfer with bounces. Throws
+  /// like the constructor.
+  static TransferredRadiance at_vertices(const Transfer& transfer,
+                                         const std::function<LightCoefficients(std::size_t vertex)>& light);
   /// Around an object only what the object sends: its matrices times the light. Of the degree of the result.
   static TransferredRadiance sent(const Transfer& volume, const LightCoefficients& light);
 

@@ -36,39 +36,6 @@ std::vector<Cap> caps_seen_from(const Stage& stage, const std::vector<Pose>& pos
   return caps;
 }
 
-/// The light in the axes of an object.
-LightCoefficients turned_into(const Pose& pose, const LightCoefficients& light, const Eigen::Matrix3d& light_turn) {
-  return turned(light, pose.rotation.transpose() * light_turn);
-}
-
-/// The light at a point, in the axes of object `index`, which `light` has without the other objects.
-LightCoefficients light_at(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
-                           const LightCoefficients& light, const Neighborhoods* around, const Eigen::Vector3d& point) {
-  const std::optional<LightCoefficients> behind = around == nullptr ? std::nullopt : around->at(index, point);
-  return shadowed_by_caps(behind ? *behind : light, caps_seen_from(stage, poses, index, point));
-}
-
-/// The light at the proxy's center of object `index`, in the axes of the object. A single object whose rotation is the
-/// identity gets the same bits back.
-LightCoefficients light_at_object(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
-                                  const LightCoefficients& light, const Neighborhoods* around) {
-  const Eigen::Vector3d center = placed(poses[index], stage.objects[index].proxy.center);
-  return light_at(stage, poses, index, light, around, center);
-}
-
-/// Relights each vertex under the light that reaches it.
-std::vector<Eigen::Vector3f> radiance_per_vertex(const Stage& stage, const std::vector<Pose>& poses, std::size_t index,
-                                                 const LightCoefficients& light, const Neighborhoods* around,
-                                                 const Shading& shading) {
-  const Transfer& transfer = *stage.objects[index].transfer;
-  std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
-  in_parallel(std::size_t{0}, radiance.size(), [&](std::size_t v) {
-    const Eigen::Vector3d point = placed(poses[index], transfer.mesh.point(v));
-    radiance[v] = shading.shade_vertex(transfer, v, light_at(stage, poses, index, light, around, point));
-  });
-  return radiance;
-}
-
 /// Appends a part with its normals turned, and its placed vertices to `points`.
 void append_placed(Mesh& mesh, std::vector<Eigen::Vector3d>& points, const Mesh& part, const Pose& pose) {
   Mesh moved = part;
@@ -129,61 +96,107 @@ StageLighting::StageLighting(const Stage& stage, const std::function<LightCoeffi
   }
 }
 
-std::vector<Eigen::Vector3f> StageLighting::radiance(const std::vector<Pose>& poses,
-                                                     const Eigen::Matrix3d& light_turn) const {
+LitStage StageLighting::at(std::vector<Pose> poses, const Eigen::Matrix3d& light_turn) const {
+  return {*this, std::move(poses), light_turn};
+}
+
+std::vector<Eigen::Vector3f> StageLighting::radiance(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
+                                                     const Eigen::Vector3d& eye) const {
+  return at(poses, light_turn).radiance(eye);
+}
+
+LitStage::LitStage(const StageLighting& lighting, std::vector<Pose> poses, const Eigen::Matrix3d& light_turn)
+    : lighting_(lighting), poses_(std::move(poses)), light_turn_(light_turn) {
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    lights_.push_back(
+        turned(lighting.light(object(i).transfer->degree()), poses_[i].rotation.transpose() * light_turn));
+  }
+  const std::vector<StageObject>& objects = lighting.stage_.objects;
+  if (std::none_of(objects.begin(), objects.end(), [](const auto& one) { return one.volume; })) return;
+  for (const auto& [degree, light] : lighting.lights_) {
+    around_.try_emplace(degree, lighting.stage_, poses_, turned(light, light_turn));
+  }
+}
+
+LightCoefficients LitStage::distant_light(std::size_t index, const Eigen::Vector3d& point) const {
+  const std::optional<LightCoefficients> behind =
+      around_.empty() ? std::nullopt : around_.at(object(index).transfer->degree()).at(index, point);
+  return shadowed_by_caps(behind ? *behind : lights_[index], caps_seen_from(lighting_.stage_, poses_, index, point));
+}
+
+// A single object whose rotation is the identity gets the same bits back.
+LightCoefficients LitStage::distant_light(std::size_t index) const {
+  return distant_light(index, placed(poses_[index], object(index).proxy.center));
+}
+
+TransferredRadiance LitStage::reaching_from_afar(std::size_t index) const {
+  const Transfer& transfer = *object(index).transfer;
+  if (!object(index).per_vertex) return {transfer, distant_light(index)};
+  return TransferredRadiance::at_vertices(
+      transfer, [&](std::size_t v) { return distant_light(index, placed(poses_[index], transfer.mesh.point(v))); });
+}
+
+TransferredRadiance LitStage::reaching(std::size_t index) const {
+  if (!object(index).from_scene) return reaching_from_afar(index);
+  return {*object(index).transfer, light_from_scene(index)};
+}
+
+std::vector<Eigen::Vector3f> LitStage::sent(std::size_t index, const TransferredRadiance& reaching,
+                                            const Eigen::Vector3d& eye) const {
+  const Transfer& transfer = *object(index).transfer;
+  return exit_radiance(transfer, reaching, poses_[index].rotation.transpose() * (eye - poses_[index].position),
+                       lighting_.shading_.albedo(transfer.mesh));
+}
+
+std::vector<Eigen::Vector3f> LitStage::lit_from_afar(std::size_t index, const Eigen::Vector3d& eye) const {
+  const Transfer& transfer = *object(index).transfer;
+  if (transfer.kind->is_glossy()) return sent(index, reaching_from_afar(index), eye);
+  if (!object(index).per_vertex) return lighting_.shading_.shade(transfer, distant_light(index));
+  std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
+  in_parallel(std::size_t{0}, radiance.size(), [&](std::size_t v) {
+    const Eigen::Vector3d point = placed(poses_[index], transfer.mesh.point(v));
+    radiance[v] = lighting_.shading_.shade_vertex(transfer, v, distant_light(index, point));
+  });
+  return radiance;
+}
+
+std::vector<Eigen::Vector3f> LitStage::radiance(std::size_t index, const Eigen::Vector3d& eye) const {
+  if (!object(index).from_scene) return lit_from_afar(index, eye);
+  const Transfer& transfer = *object(index).transfer;
+  return transfer.kind->is_glossy() ? sent(index, reaching(index), eye)
+                                    : lighting_.shading_.shade(transfer, light_from_scene(index));
+}
+
+std::vector<Eigen::Vector3f> LitStage::radiance(const Eigen::Vector3d& eye) const {
   std::vector<Eigen::Vector3f> all;
-  std::map<int, Neighborhoods> around;  // by the degree of the transfer
-  if (std::any_of(stage_.objects.begin(), stage_.objects.end(), [](const auto& object) { return object.volume; })) {
-    for (const auto& [degree, light] : lights_) around.try_emplace(degree, stage_, poses, turned(light, light_turn));
-  }
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const StageObject& object = stage_.objects[i];
-    const int degree = object.transfer->degree();
-    const LightCoefficients light = turned_into(poses[i], lights_.at(degree), light_turn);
-    const Neighborhoods* volumes = around.empty() ? nullptr : &around.at(degree);
-    const std::vector<Eigen::Vector3f> part =
-        object.per_vertex ? radiance_per_vertex(stage_, poses, i, light, volumes, shading_)
-                          : shading_.shade(*object.transfer, light_at_object(stage_, poses, i, light, volumes));
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const std::vector<Eigen::Vector3f> part = radiance(i, eye);
     all.insert(all.end(), part.begin(), part.end());
-  }
-  const std::vector<Eigen::Vector3f> seen = all;
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const StageObject& object = stage_.objects[i];
-    if (object.from_scene) {
-      const LightCoefficients light =
-          turned_into(poses[i], light_from_scene(poses, light_turn, seen, i), Eigen::Matrix3d::Identity());
-      const std::vector<Eigen::Vector3f> part = shading_.shade(*object.transfer, light);
-      std::copy(part.begin(), part.end(), all.begin() + static_cast<std::ptrdiff_t>(first));
-    }
-    first += object.transfer->mesh.positions.size();
   }
   return all;
 }
 
-LightCoefficients StageLighting::light_from_scene(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
-                                                  const std::vector<Eigen::Vector3f>& radiance,
-                                                  std::size_t index) const {
+// Glossy others send what they send to the center.
+LightCoefficients LitStage::light_from_scene(std::size_t index) const {
+  const Eigen::Vector3d center = placed(poses_[index], object(index).proxy.center);
   Mesh others;
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::Vector3f> sent;
-  auto next = radiance.begin();
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    const Mesh& mesh = stage_.objects[k].transfer->mesh;
-    const auto end = next + static_cast<std::ptrdiff_t>(mesh.positions.size());
-    if (k != index) {
-      append_placed(others, points, mesh, poses[k]);
-      sent.insert(sent.end(), next, end);
-    }
-    next = end;
+  for (std::size_t k = 0; k < poses_.size(); ++k) {
+    if (k == index) continue;
+    append_placed(others, points, object(k).transfer->mesh, poses_[k]);
+    const std::vector<Eigen::Vector3f> part = lit_from_afar(k, center);
+    sent.insert(sent.end(), part.begin(), part.end());
   }
-  const std::vector<Light> lights = turned(lights_of_scene_, light_turn);
-  const int degree = shading_.degree_for(stage_.objects[index].transfer->degree());
-  if (others.faces.empty()) return shading_.chosen(project(lights, degree));
-  place(others, points, stage_.name);
+  const std::vector<Light> lights = turned(lighting_.lights_of_scene_, light_turn_);
+  const Shading& shading = lighting_.shading_;
+  const int degree = shading.degree_for(object(index).transfer->degree());
+  const Eigen::Matrix3d into = poses_[index].rotation.transpose();
+  if (others.faces.empty()) return turned(shading.chosen(project(lights, degree)), into);
+  place(others, points, lighting_.stage_.name);
   const Tracer tracer(others);
   const LightSampler sampler(others, tracer, diffuse_surface(others, std::move(sent)), lights, CubeSize());
-  return shading_.chosen(sampler.at(placed(poses[index], stage_.objects[index].proxy.center), degree).light);
+  return turned(shading.chosen(sampler.at(center, degree).light), into);
 }
 
 }  // namespace sh::prt

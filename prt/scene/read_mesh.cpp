@@ -63,6 +63,7 @@ ImportedMesh read_shape(const JsonReader& reader, const std::string& folder, con
   ImportedMesh shape;
   shape.soup = make_primitive(primitive->one_of(primitive_names()), segments ? segments->integer(3, kMaxSegments) : 48);
   shape.soup.chart = shape.soup.texture;
+  shape.soup.nodes = {MeshNode{primitive->text(), {}}};
   shape.file_vertices = shape.soup.positions.size();
   const MaterialChange& change = changes.all;
   if (change.reflection) {
@@ -298,6 +299,10 @@ Mesh finish_mesh(MeshPart part, const Frame& frame, OnFlaw on_flaw) {
     for (std::size_t f = 0; f < fronts; ++f) {
       if (is_two_sided[f] != 0) origins.push_back(std::uint32_t{origins[f]});
     }
+  }
+  mesh.nodes = soup.nodes;
+  for (std::uint32_t f = 0; f < origins.size() && !mesh.nodes.empty(); ++f) {
+    take_face(mesh.nodes[soup.node_of(origins[f])], f);
   }
   std::vector<std::uint32_t> texels;
   if (part.texels > 0) texels = add_atlas(mesh, fronts, part.texels, name);

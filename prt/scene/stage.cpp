@@ -78,7 +78,7 @@ StageObject read_object(const JsonReader& reader, const std::string& folder, Tra
   object.per_vertex = light_at && light_at->one_of({"center", "vertices"}) == "vertices";
   object.file = beside(folder, object.name);
   object.transfer = read_once(object.file, surface_kinds(), transfers.surfaces);
-  if (object.per_vertex && object.transfer->shape.channels != 1) {
+  if (object.per_vertex && (object.transfer->shape.channels != 1 || object.transfer->kind->stores_matrices())) {
     light_at->expected("`center` for transfer with bounces, which needs one light for the whole object");
   }
   if (const auto from = reader.find("light_from")) {
@@ -144,11 +144,6 @@ Stage load_stage(const std::string& file, const std::string& transfers_folder) {
   }
   for (const auto* files : {&transfers.surfaces, &transfers.volumes}) {
     for (const auto& [name, transfer] : *files) stage.files.push_back(name);
-  }
-  for (const auto& [name, transfer] : transfers.surfaces) {
-    if (transfer->kind->is_glossy()) {
-      throw std::runtime_error(file + ": a stage takes diffuse transfer only; a glossy transfer file is needed alone");
-    }
   }
   for (const LightSpec& light : stage.lights) stage.files.push_back(light.file);
   if (stage.objects.empty()) objects.expected("at least one object");

@@ -69,7 +69,7 @@ Stage stage_of(Transfer transfer);
 
 /// Reads the stage and its transfer files, each file once. Relative paths start in `folder`, or in the folder of the
 /// stage if `folder` is empty. Throws std::runtime_error with one line that names file and JSON path, or the transfer
-/// file; also for glossy transfer.
+/// file.
 Stage load_stage(const std::string& file, const std::string& folder = {});
 
 }  // namespace sh::prt

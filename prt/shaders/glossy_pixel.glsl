@@ -2,6 +2,10 @@
 // A pixel of a glossy surface: the radiance between the vertices, met by the lobes of this place [SloanKautzSnyder02,
 // equation 12].
 uniform vec3 eye;  // in the coordinates of the mesh
+#ifdef PICTURES
+uniform bool has_picture;
+uniform sampler2D picture;  // row by row from the top
+#endif
 
 vec3 pixel_radiance() {  // linear
     float reaching[3 * COUNT];
@@ -11,6 +15,9 @@ vec3 pixel_radiance() {  // linear
     direct(0, reaching);
 #endif
     Place place = Place(unit(at_normal), at_albedo, vec3(0.0), 0.0, 0.0);
+#ifdef PICTURES
+    if (has_picture) place.albedo = min(at_tint * texture(picture, at_picture).rgb, 1.0);
+#endif
 #ifdef LOBES
     place.specular = at_lobe.rgb;
     place.exponent = at_lobe.a;

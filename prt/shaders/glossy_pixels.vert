@@ -1,4 +1,8 @@
 
+#ifdef PICTURES
+layout(location = 12) in vec2 picture_place;  // coordinates; (0, 0) is the lower left corner
+layout(location = 13) in vec3 tint;
+#endif
 #ifdef MAPS
 layout(location = 9) in vec3 texture_place;      // coordinates, 1 + number of the normal map or 0
 layout(location = 10) in vec3 tangent;           // unit, along u: of the faces around that show the picture,
@@ -22,6 +26,10 @@ void main() {
 #endif
 #ifdef EMITTED
     at_emitted = emitted;
+#endif
+#ifdef PICTURES
+    at_picture = vec2(picture_place.x, 1.0 - picture_place.y);
+    at_tint = tint;
 #endif
 #ifdef MAPS
     at_texture = texture_place;

@@ -1,6 +1,7 @@
 
 // What pixels take from vertices, with perspective. Above: BETWEEN, `out` of vertices or `in` of pixels; CARRIED, 4-vectors
-// of the radiance that reaches a vertex (red, green, blue), unless one radiance reaches all; MAPS if there are normal maps.
+// of the radiance that reaches a vertex (red, green, blue), unless one radiance reaches all; MAPS if there are normal maps;
+// PICTURES if pictures give the albedo.
 BETWEEN vec3 at_position;
 BETWEEN vec3 at_normal;
 BETWEEN vec3 at_albedo;
@@ -15,6 +16,10 @@ BETWEEN vec3 at_emitted;
 #endif
 #ifdef CARRIED
 BETWEEN vec4 at_reaching[CARRIED];
+#endif
+#ifdef PICTURES
+BETWEEN vec2 at_picture;  // coordinates
+BETWEEN vec3 at_tint;
 #endif
 #ifdef MAPS
 BETWEEN vec3 at_texture;  // coordinates, 1 + number of the normal map or 0

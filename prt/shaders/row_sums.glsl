@@ -4,6 +4,7 @@
 //   KEPT_COUNT     coefficients that the texture keeps; KEPT(k): the index of number k
 //   RELIGHT        the generated function relight_l<degree> (WHITE and one channel), relight_rgb_l<degree> (one channel)
 //                  or relight_colored_l<degree>, which stands above
+//   ROW_OF(n, c)   the row of channel c among those of the texture, unless the channels of row n follow each other
 //   WHITE          defined: a light with one channel for all colors
 // defined; `prt shader` and `prt emit` write it all.
 
@@ -17,13 +18,17 @@ uniform float light[KEPT_COUNT];
 uniform vec3 light[KEPT_COUNT];  // red, green, blue
 #endif
 
+#ifndef ROW_OF
+#define ROW_OF(n, c) ((n) * CHANNELS + (c))
+#endif
+
 vec3 row_sums(int number) {
     float row[CHANNELS * COUNT];
     float values[3 * COUNT];
     for (int k = 0; k < KEPT_COUNT; ++k) {
         vec3 incident = vec3(light[k]);
         for (int c = 0; c < CHANNELS; ++c) {
-            row[c * COUNT + KEPT(k)] = number_at(transfer, (number * CHANNELS + c) * KEPT_COUNT + k);
+            row[c * COUNT + KEPT(k)] = number_at(transfer, ROW_OF(number, c) * KEPT_COUNT + k);
         }
         for (int c = 0; c < 3; ++c) values[c * COUNT + KEPT(k)] = incident[c];
     }

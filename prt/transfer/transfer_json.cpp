@@ -356,6 +356,43 @@ std::vector<Atlases::Head> atlas_heads_from(const nlohmann::json& json) {
   return heads;
 }
 
+Json to_json(const std::vector<MeshNode>& nodes) {
+  Json json = Json::array();
+  for (const MeshNode& node : nodes) {
+    Json rows = Json::array();
+    for (Eigen::Index row = 0; row < 3; ++row) {
+      for (Eigen::Index column = 0; column < 4; ++column) rows.push_back(node.to_world(row, column));
+    }
+    json.push_back({{"name", node.name}, {"material", node.material}, {"to_world", rows}, {"faces", node.faces}});
+  }
+  return json;
+}
+
+// The runs of a node rise and do not overlap.
+std::vector<MeshNode> nodes_from(const nlohmann::json& json, std::uint64_t faces) {
+  std::vector<MeshNode> nodes;
+  for (const nlohmann::json& entry : json) {
+    MeshNode& node = nodes.emplace_back();
+    node.name = entry.at("name").get<std::string>();
+    node.material = entry.at("material").get<std::string>();
+    const auto rows = entry.at("to_world").get<std::vector<double>>();
+    if (rows.size() != 12)
+      throw std::invalid_argument("transfer file with a node whose `to_world` is not 3 x 4 numbers");
+    node.to_world.matrix().topRows<3>() = Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(rows.data());
+    std::uint64_t end = 0;
+    for (const nlohmann::json& run : entry.at("faces")) {
+      const auto first = whole_from<std::uint32_t>(run.at(0));
+      const auto count = whole_from<std::uint32_t>(run.at(1), 1);
+      if (run.size() != 2 || first < end || std::uint64_t{first} + count > faces) {
+        throw std::invalid_argument("transfer file with a node whose runs of faces do not rise, or name missing faces");
+      }
+      node.faces.push_back({first, count});
+      end = std::uint64_t{first} + count;
+    }
+  }
+  return nodes;
+}
+
 void put_shortfall(const Shortfall& missing, Json& header) {
   if (!missing.any()) return;
   header["complete"] = false;  // coarser than was asked for
@@ -449,6 +486,7 @@ std::string transfer_header(const Transfer& transfer) {
   if (!transfer.mesh.normal_maps.heads.empty()) header["normal_maps"] = to_json(transfer.mesh.normal_maps.heads);
   if (!transfer.mesh.albedo_maps.heads.empty()) header["albedo_maps"] = to_json(transfer.mesh.albedo_maps.heads);
   if (!transfer.mesh.atlases.heads.empty()) header["atlases"] = to_json(transfer.mesh.atlases.heads);
+  if (!transfer.grid && !transfer.mesh.nodes.empty()) header["nodes"] = to_json(transfer.mesh.nodes);
   if (!transfer.plan.decisions.empty()) header["plan"] = to_json(transfer.plan);
   return header.dump(2, ' ', false, Json::error_handler_t::replace);  // names of files may be no UTF-8
 }
@@ -477,6 +515,9 @@ void take_header(const nlohmann::json& header, std::uint32_t version, TransferKi
   if (header.contains("normal_maps")) transfer.mesh.normal_maps.heads = map_heads_from(header.at("normal_maps"));
   if (header.contains("albedo_maps")) transfer.mesh.albedo_maps.heads = picture_heads_from(header.at("albedo_maps"));
   if (header.contains("atlases")) transfer.mesh.atlases.heads = atlas_heads_from(header.at("atlases"));
+  if (header.contains("nodes")) {
+    transfer.mesh.nodes = nodes_from(header.at("nodes"), whole_from<std::uint64_t>(header.at("faces")));
+  }
   if (header.contains("plan")) transfer.plan = plan_record_from(header.at("plan"));
   transfer.directions = whole_from<std::uint32_t>(header.at("directions"));
   if (header.contains("sampler")) {  // absent where no ray was traced, and in files older than the choice

@@ -26,6 +26,17 @@ export interface Shape {
   holdsAlbedo: boolean;
 }
 
+/** One instance of a mesh in a model file, with one material. */
+export interface Node {
+  name: string;
+  /** Its name, or empty. */
+  material: string;
+  /** From the axes of its own vertices, 3 x 4 numbers, row by row. */
+  toWorld: number[];
+  /** First and count of each run of faces. */
+  faces: [number, number][];
+}
+
 /** A transfer file: its header, and its sections as they are stored. */
 export interface Transfer {
   header: Record<string, unknown>;
@@ -38,6 +49,7 @@ export interface Transfer {
   frame: { origin: number[]; unit: number };
   vertices: number;
   faces: number;
+  nodes: Node[];
   sections: Record<string, Float32Array | Uint32Array | Uint16Array | Int8Array>;
 }
 

@@ -224,7 +224,26 @@ constexpr std::array kWords = {"bake",
                                "translucent",
                                "--thickness",
                                "t.json",
-                               "--reflected"};
+                               "--reflected",
+                               "merge",
+                               "shards",
+                               "lightmap",
+                               "--shard",
+                               "1/2",
+                               "2/2",
+                               "p.1",
+                               "p.2",
+                               "--parts",
+                               "-n",
+                               "--for",
+                               "slurm",
+                               "--price",
+                               "--of",
+                               "u.json",
+                               "u.transfer",
+                               "kept.json",
+                               "--bounce-directions",
+                               "x.exr"};
 static_assert(kWords.size() <= 256);
 
 // The triangles with these corners; assimp reads it without the megabytes that other formats take.
@@ -236,6 +255,13 @@ std::string stl(const std::vector<std::string>& corners) {
     text += "endloop\nendfacet\n";
   }
   return text + "endsolid a\n";
+}
+
+int run(std::vector<std::string> words) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  return prt::run_tool(static_cast<int>(words.size()), arguments.data());
 }
 
 /// A folder with small files of every type; the tool runs in it.
@@ -251,6 +277,7 @@ class Workplace {
               R"({"meshes": [{"file": "a.stl", "translucent": {"transmission": [1, 1, 1], "extinction": [1, 1, 1]}},
                                        {"file": "a.stl", "subsurface": {"absorption": [1, 1, 1], "scattering": [9, 9, 9]}}],
                             "bake": {"degree": 1, "directions": 16}})");
+    write_all("u.json", R"({"meshes": [{"primitive": "box", "texels": 8}], "bake": {"degree": 1, "directions": 16}})");
     write_all("stage.json",
               R"({"objects": [{"transfer": "a.transfer"}, {"transfer": "a.transfer", "position": [2, 0, 0],
                                 "move": [{"time": 0}, {"time": 1, "degrees": 90}]}]})");
@@ -270,6 +297,10 @@ class Workplace {
               R"({"objects": [{"transfer": "a.transfer"}, {"transfer": "b.transfer", "position": [2, 0, 0],
                                              "volume": "n.transfer"}],
                                 "lights": [{"type": "directional", "direction": [0, 1, 1]}]})");
+    run({"prt", "bake", "u.json", "-o", "u.transfer"});
+    run({"prt", "plan", "a.json", "-o", "kept.json"});
+    run({"prt", "bake", "a.json", "--shard", "1/2", "-o", "p.1"});
+    run({"prt", "bake", "a.json", "--shard", "2/2", "-o", "p.2"});
     std::filesystem::copy_file("a.transfer", "a.png");
     std::filesystem::copy_file(SHFORGE_SOURCE_DIR "/tests/data/fuzz/splats/little.ply", "s.ply");
     for (const auto& entry : std::filesystem::directory_iterator(".")) {
@@ -330,8 +361,9 @@ bool is_small_option(const std::vector<std::string>& words, std::string_view opt
 // Whether a command line that says more than "no such command" begins with this word.
 bool may_begin(std::string_view word) {
   const auto* const end = kWords.begin() + kFirstWords;
-  constexpr std::array<std::string_view, 10> kLaterCommands{"fix-view", "grid",     "view",   "export", "import",
-                                                            "splats",   "light-at", "probes", "volume", "translucent"};
+  constexpr std::array<std::string_view, 13> kLaterCommands{"fix-view", "grid",     "view",    "export", "import",
+                                                            "splats",   "light-at", "probes",  "volume", "translucent",
+                                                            "merge",    "shards",   "lightmap"};
   return std::find(kWords.begin(), end, word) != end || std::ranges::find(kLaterCommands, word) != kLaterCommands.end();
 }
 
@@ -370,7 +402,9 @@ bool is_quick(const std::vector<std::string>& words) {
 // Whether the words name the file as output and nowhere else, neither themselves nor in a scene or stage.
 bool is_only_output(const std::string& file, const std::vector<std::string>& words) {
   const auto named = std::find(words.begin(), words.end(), file);
-  constexpr std::array<std::array<const char*, 2>, 7> kReads{{{"a.json", "a.stl"},
+  constexpr std::array<std::array<const char*, 2>, 9> kReads{{{"a.json", "a.stl"},
+                                                              {"kept.json", "a.json"},
+                                                              {"kept.json", "a.stl"},
                                                               {"t.json", "a.stl"},
                                                               {"stage.json", "a.transfer"},
                                                               {"m.json", "m.nrrd"},
@@ -395,10 +429,7 @@ void run_command(std::string_view bytes) {
   // All options of all commands are set up where none is named: most runs would only do that.
   if (words.size() > 1 && !may_begin(words[1])) words[1] = kWords[static_cast<unsigned char>(bytes[0]) % kCommands];
   if (!is_quick(words)) return;
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  const int status = prt::run_tool(static_cast<int>(words.size()), arguments.data());
+  const int status = run(words);
   require(status == 0 || status == 1 || status == 2, "the exit code is 0, 1 or 2");
   for (const std::string& file : workplace.restore()) require(is_only_output(file, words), "no input is written");
 }

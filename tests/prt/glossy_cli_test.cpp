@@ -82,13 +82,13 @@ TEST_F(GlossyTool, ShowsMoreOfLobesThanTheTransferHolds) {
   for (const char* file : {"shadowed", "unshadowed"}) EXPECT_NE(picture(file, {}), picture(file, {"--sharp"}));
   EXPECT_EQ(picture("shadowed", {"--sharp"}), picture("shadowed", {"--sharp", "--threads", "1"}));
   expect_refused({"render", folder->file("shadowed"), "--sharp", "--white", "-o", folder->file("b.png")},
-                 "--sharp: expected glossy transfer and light in color");
+                 "--sharp: expected a file of glossy transfer and light in color");
   expect_refused({"render", folder->file("shadowed"), "--sharp", "--window", "hann", "-o", folder->file("b.png")},
                  "--sharp: expected lights without a window");
   succeeded({"bake", folder->file("shadowed.json"), "--kind", "shadowed", "--degree", "1", "--directions", "16", "-o",
              folder->file("diffuse")});
   expect_refused({"render", folder->file("diffuse"), "--sharp", "-o", folder->file("b.png")},
-                 "--sharp: expected glossy transfer");
+                 "--sharp: expected a file of glossy transfer");
 }
 
 TEST_F(GlossyTool, BakesAndTellsBrdfs) {
@@ -187,9 +187,6 @@ TEST_F(GlossyTool, RefusesGlossyTransferWhereNoDirectionOfViewIsKnown) {
   expect_refused({"render", file, "--local", "4", "-o", folder->file("x.png")}, "--local 4: glossy transfer");
   expect_refused({"relight", file, "--eye", "1", "2", "-o", folder->file("x.ply")}, "--eye");
   expect_refused({"relight", file, "--eye", "nan", "2", "1", "-o", folder->file("x.ply")}, "--eye");
-  write_all(folder->file("stage.json"), R"({"objects": [{"transfer": "shadowed"}]})");
-  expect_refused({"relight", folder->file("stage.json"), "-o", folder->file("x.ply")},
-                 "a stage takes diffuse transfer");
 }
 
 // The visibility does not know the material.

@@ -64,21 +64,34 @@ struct Solved {
   std::vector<double> values;
 };
 
-Solved solve(std::size_t vertices, double sum, BounceSolver solver, const Ranks& ranks) {
-  FormFactors factors(vertices);
+struct System {
+  std::size_t vertices;
+  float blue = 0.9F;      // albedo
+  bool is_chain = false;  // each vertex sees its neighbors only, so that light travels slowly
+};
+
+FormFactorRow row_of_chain(std::size_t vertex, std::size_t vertices) {
+  const auto before = static_cast<std::uint32_t>(vertex == 0 ? 1 : vertex - 1);
+  const auto after = static_cast<std::uint32_t>(vertex + 1 == vertices ? vertex - 1 : vertex + 1);
+  return {{before, 0.5}, {after, 0.5}};
+}
+
+Solved solve(const System& system, const BounceOptions& options, const Ranks& ranks,
+             BounceCheckpoint* checkpoint = nullptr) {
+  FormFactors factors(system.vertices);
   factors.share_among(ranks);
-  for (std::size_t v = 0; v < vertices; ++v) {
-    factors.keep(v, row_of(v, vertices, sum));
+  for (std::size_t v = 0; v < system.vertices; ++v) {
+    factors.keep(v, system.is_chain ? row_of_chain(v, system.vertices) : row_of(v, system.vertices, 0.75));
     EXPECT_EQ(factors.is_kept(v), ranks.owns(v));
   }
   const BounceLayout layout{4};
-  Panel x(vertices, layout.columns());
-  for (std::size_t v = 0; v < vertices; ++v) {
+  Panel x(system.vertices, layout.columns());
+  for (std::size_t v = 0; v < system.vertices; ++v) {
     for (std::size_t i = 0; i < x.columns; ++i) x.row(v)[i] = static_cast<double>((v * 13 + i * 7) % 11) - 3.0;
   }
-  const std::vector<Eigen::Vector3f> albedo(vertices, {0.5F, 0.25F, 0.9F});
+  const std::vector<Eigen::Vector3f> albedo(system.vertices, {0.5F, 0.25F, system.blue});
   Solved solved;
-  solved.report = solve_bounces(factors, albedo, layout, x, {.solver = solver});
+  solved.report = solve_bounces(factors, albedo, layout, x, options, checkpoint);
   solved.values = x.values;
   return solved;
 }
@@ -94,11 +107,12 @@ TEST(Ranks, OwnEveryVertexOnceAndShareThemEvenly) {
 TEST(Ranks, GiveTheBitsOfOneProcess) {
   for (const BounceSolver solver : {BounceSolver::kSeries, BounceSolver::kKrylov}) {
     for (const std::size_t vertices : {1U, 255U, 257U, 1500U}) {  // also fewer than the processes have rows for
-      const Solved alone = solve(vertices, 0.75, solver, {});
+      const Solved alone = solve({vertices}, {.solver = solver}, {});
       EXPECT_TRUE(alone.report.certified);
       for (const std::size_t count : {2U, 3U, 5U}) {
         std::vector<Solved> all(count);
-        Threads(count).run([&](const Ranks& ranks) { all[ranks.index] = solve(vertices, 0.75, solver, ranks); });
+        Threads(count).run(
+            [&](const Ranks& ranks) { all[ranks.index] = solve({vertices}, {.solver = solver}, ranks); });
         for (const Solved& solved : all) {
           EXPECT_TRUE(solved.values == alone.values) << vertices << " of " << count;
           EXPECT_EQ(solved.report.bound, alone.report.bound);
@@ -107,6 +121,105 @@ TEST(Ranks, GiveTheBitsOfOneProcess) {
       }
     }
   }
+}
+
+void expect_same(const Solved& a, const Solved& b, const std::string& what) {
+  EXPECT_TRUE(a.values == b.values) << what;
+  EXPECT_EQ(a.report.applications, b.report.applications) << what;
+  EXPECT_EQ(a.report.bound, b.report.bound) << what;
+  EXPECT_EQ(a.report.solver, b.report.solver) << what;
+}
+
+class Stopped : public testing::TestWithParam<BounceSolver> {
+ protected:
+  // Stops after some applications, then goes on with other processes.
+  Solved in_two_runs(int applications, std::size_t before, std::size_t after) {
+    Solved solved;
+    for (const bool is_last : {false, true}) {
+      BounceOptions options = options_;
+      if (!is_last) options.most_applications = applications;
+      Threads(is_last ? after : before).run([&](const Ranks& ranks) {
+        BounceCheckpoint checkpoint({.path = file_, .seconds = 0.0}, "{}", ranks);
+        Solved own = solve(system_, options, ranks, &checkpoint);
+        if (ranks.is_first()) solved = std::move(own);
+      });
+    }
+    return solved;
+  }
+
+  // Two blocks of rows. The series sums quickly; of the others Krylov's cycles have an end, and the automatic solver leaves
+  // the series.
+  const System system_{5000, GetParam() == BounceSolver::kSeries ? 0.9F : 0.9995F, true};
+  TemporaryFolder folder_;
+  std::string file_ = folder_.file("a.bounces");
+  BounceOptions options_{.tolerance = 1e-6, .solver = GetParam()};
+};
+
+TEST_P(Stopped, SolversGoOnWithTheBitsOfOneThatIsNeverStopped) {
+  const Solved whole = solve(system_, options_, {});
+  EXPECT_TRUE(whole.report.certified);
+  EXPECT_GT(whole.report.applications, 80);
+  for (const int applications : {1, 2, 8, 9, 10, 60, 70, 80}) {
+    expect_same(in_two_runs(applications, 1, 1), whole, std::to_string(applications));
+    std::filesystem::remove(file_);
+  }
+  expect_same(in_two_runs(9, 2, 3), whole, "several processes, then others");
+  EXPECT_TRUE(std::filesystem::exists(file_)) << "who uses the result removes it";
+  EXPECT_FALSE(std::filesystem::exists(file_ + ".new"));
+}
+
+TEST_P(Stopped, SolversBeginAgainWithoutACompleteState) {
+  const Solved whole = solve(system_, options_, {});
+  static_cast<void>(in_two_runs(79, 1, 1));
+  const std::string good = read_all(file_);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{10}, std::size_t{60}, good.size() / 2, good.size() - 1}) {
+    write_all(file_, good.substr(0, size));
+    const Ranks one;
+    BounceCheckpoint checkpoint({.path = file_, .seconds = 1e6}, "{}", one);
+    expect_same(solve(system_, options_, {}, &checkpoint), whole, std::to_string(size));
+  }
+  std::string changed = good;
+  changed[good.size() / 3] ^= 1;
+  write_all(file_, changed);
+  const Ranks one;
+  BounceCheckpoint checkpoint({.path = file_, .seconds = 1e6}, "{}", one);
+  expect_same(solve(system_, options_, {}, &checkpoint), whole, "a changed byte");
+}
+
+INSTANTIATE_TEST_SUITE_P(Bounces, Stopped,
+                         testing::Values(BounceSolver::kSeries, BounceSolver::kKrylov, BounceSolver::kAutomatic));
+
+TEST(BounceCheckpoint, IsOfOneSystemAndDeletesNoFileOfTheUser) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.bounces");
+  Panel x(3, 8);
+  x.values.back() = 7.0;
+  const Panel r(3, 8);
+  const auto keep = [&](const BounceCheckpointSettings& settings, const std::string& key) {
+    const Ranks one;
+    BounceCheckpoint(settings, key, one).keep({.applications = 5}, x, r);
+  };
+  const auto loaded = [&](const BounceCheckpointSettings& settings, const std::string& key) {
+    Panel kept_x(3, 8);
+    Panel kept_r(3, 8);
+    const Ranks one;
+    const auto state = BounceCheckpoint(settings, key, one).load(kept_x, kept_r);
+    EXPECT_EQ(kept_x.values.back(), state ? 7.0 : 0.0);
+    return state ? static_cast<int>(state->applications) : -1;
+  };
+  keep({.path = file, .seconds = 0.0}, R"({"tolerance":1})");
+  EXPECT_EQ(loaded({.path = file}, R"({"tolerance":1})"), 5);
+  EXPECT_EQ(loaded({.path = file}, R"({"tolerance":1})"), 5);
+  EXPECT_EQ(loaded({.path = file}, R"({"tolerance":2})"), -1);
+  EXPECT_EQ(loaded({.path = file}, R"({"tolerance":1})"), -1) << "the other one has deleted it";
+  keep({.path = file, .seconds = 0.0}, "{}");
+  EXPECT_EQ(loaded({.path = file, .restart = true}, "{}"), -1);
+  write_all(file, "notes");
+  EXPECT_NE(message_of([&] { loaded({.path = file}, "{}"); }), "");
+  EXPECT_EQ(read_all(file), "notes");
+  EXPECT_EQ(loaded({}, "{}"), -1);
+  keep({.path = folder.file("late"), .seconds = 1e6}, "{}");
+  EXPECT_FALSE(std::filesystem::exists(folder.file("late"))) << "it is not time";
 }
 
 // Also as root, and with more processes than cores; the number of processes follows.

@@ -16,6 +16,6 @@ for (const name of Object.keys(devDependencies)) {
 const { startBrowser, stopBrowser } = await import('./browser.mjs');
 before(startBrowser);
 after(stopBrowser);
-for (const file of process.argv.slice(2).length > 0 ? process.argv.slice(2) : ['relight', 'stage', 'light', 'pixel', 'surface', 'page', 'module', 'look']) {
+for (const file of process.argv.slice(2).length > 0 ? process.argv.slice(2) : ['relight', 'stage', 'light', 'pixel', 'surface', 'medium', 'page', 'module', 'look']) {
   await import(`./${file}_test.mjs`);
 }

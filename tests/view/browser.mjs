@@ -4,6 +4,7 @@ import fs from 'node:fs';
 import http from 'node:http';
 import os from 'node:os';
 import path from 'node:path';
+import zlib from 'node:zlib';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 
@@ -180,6 +181,15 @@ export async function radianceOf(page, subject = 0) {
     return base64Of(viewer.subjects[index].read());
   }, subject);
   return new Float32Array(new Uint8Array(Buffer.from(base64, 'base64')).buffer);
+}
+
+/** Writes the page with these bytes in place of its first file. */
+export function pageWith(from, to, bytes) {
+  const html = fs.readFileSync(inFolder(from), 'utf8');
+  const [, text] = /<script type="application\/json" id="data">([^]*?)<\/script>/.exec(html);
+  const data = JSON.parse(text);
+  data.files[0].data = zlib.gzipSync(bytes).toString('base64');
+  fs.writeFileSync(inFolder(to), html.replace(text, () => JSON.stringify(data).replaceAll('</', '<\\/')));
 }
 
 /** Drops a file on the page. */

@@ -2,8 +2,7 @@
 import assert from 'node:assert';
 import fs from 'node:fs';
 import { before, test } from 'node:test';
-import zlib from 'node:zlib';
-import { clicksAtCorners, drop, inFolder, message, prt, radianceOf, radianceOfPly, refusal, relativeDifference, scene, set, spawnPrt, statusOf, withAddress, withPage, writeJson } from './browser.mjs';
+import { clicksAtCorners, drop, inFolder, message, pageWith, prt, radianceOf, radianceOfPly, refusal, relativeDifference, scene, set, spawnPrt, statusOf, withAddress, withPage, writeJson } from './browser.mjs';
 import { canvasPicture, pictureOf, rootMeanSquare } from './pictures.mjs';
 
 const kCamera = { position: [4, -4, 3], target: [0.2, 0, 0.3], field_of_view: 40 };
@@ -223,15 +222,6 @@ test('Coefficients of prt project that are dropped on the page light it', async 
     }
   });
 });
-
-// The page with these bytes in place of its first file.
-function pageWith(from, to, bytes) {
-  const html = fs.readFileSync(inFolder(from), 'utf8');
-  const [, text] = /<script type="application\/json" id="data">([^]*?)<\/script>/.exec(html);
-  const data = JSON.parse(text);
-  data.files[0].data = zlib.gzipSync(bytes).toString('base64');
-  fs.writeFileSync(inFolder(to), html.replace(text, () => JSON.stringify(data).replaceAll('</', '<\\/')));
-}
 
 test('A changed byte is refused with the words of prt', async () => {
   const bytes = fs.readFileSync(inFolder('bounced.transfer'));

@@ -44,6 +44,23 @@ function baked(name, words, options) {
   prt('view', `${name}.transfer`, '--scene', `${name}.json`, '-o', `${name}.html`);
 }
 
+test('Textures of glossy surfaces show as prt render shows them', async (context) => {
+  if (!fs.existsSync(kModel)) return context.skip('no test models of assimp');
+  for (const kind of ['glossy_unshadowed', 'glossy_shadowed', 'glossy_interreflected']) {
+    writeJson(`${kind}.json`, {
+      name: 'surfaces', lights: kSky, camera: kCamera, bake: { degree: 3, directions: 256 },
+      meshes: [
+        { file: kModel, max_edge: 0.2, transform: { rotate: { degrees: 30 }, translate: [0, 0, 0.1] } },
+        { primitive: 'plane', albedo: [0.5, 0.4, 0.3], specular: [0.2, 0.2, 0.2], exponent: 20, max_edge: 0.2, transform: { scale: 4, translate: [0, 0, -0.5] } },
+      ],
+    });
+    prt('bake', `${kind}.json`, '-o', `${kind}.transfer`, '--no-checkpoint', '--kind', kind);
+    prt('render', `${kind}.transfer`, '--scene', `${kind}.json`, '-o', `${kind}.png`, '--width', kWidth, '--height', kHeight, '--fixed-exposure', 0.5, '--background', 'grey', '--samples', 16);
+    prt('view', `${kind}.transfer`, '--scene', `${kind}.json`, '-o', `${kind}.html`);
+    await compare(kind);
+  }
+});
+
 test('Textures and texels show as prt render shows them, for every diffuse kind', async (context) => {
   if (!fs.existsSync(kModel)) return context.skip('no test models of assimp');
   for (const kind of ['unshadowed', 'shadowed', 'interreflected']) {

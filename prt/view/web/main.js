@@ -7,6 +7,7 @@ import { plus } from './vectors.js';
 import { greyOf, Picture } from './picture.js';
 import { Balls } from './ball.js';
 import { fileOf, Subject } from './subject.js';
+import { Medium } from './medium.js';
 import { withPictures } from './surfaces.js';
 import { Lighting } from './lighting.js';
 import { lightOfFile } from './light_file.js';
@@ -28,7 +29,10 @@ class Viewer {
     const { data, gl } = this;
     const files = [];
     for (const file of data.files) files.push(await withPictures(fileOf(file, await bytesOf(file), data.kernels)));
-    this.subjects = data.subjects.map((subject, number) => new Subject(gl, subject, files, number));
+    this.subjects = data.subjects.map((subject, number) => {
+      const file = files[subject.objects[0].file];
+      return file.baked.transfer.grid ? new Medium(gl, subject, file, number, data.kernels) : new Subject(gl, subject, files, number);
+    });
     this.picture = new Picture(gl, data.shaders);
     this.balls = new Balls(gl, data.shaders, data.kernels);
     const orbit = data.camera ? orbitOf(data.camera) : defaultOrbit(this.subjects[0].bounds, this.aspect);
@@ -87,7 +91,7 @@ class Viewer {
     const { ownSurface, exponent, specular, yaw, pitch, distance, target } = state;
     subject.place(state.time);
     const key = JSON.stringify([this.lighting.keyOf(light), subject.isStage && [subject.time, state.degree],
-                                subject.isGlossy && [yaw, pitch, distance, target, ownSurface, exponent, specular]]);
+                                subject.dependsOnEye && [yaw, pitch, distance, target], subject.isGlossy && [ownSurface, exponent, specular]]);
     if (this.lit.get(subject) === key) return;
     subject.relight(light, state.degree, state, subject.isGlossy && ownSurface ? { exponent, specular: [specular, specular, specular] } : null);
     this.lit.set(subject, key);
@@ -114,7 +118,7 @@ class Viewer {
     const grey = greyOf(state.tone);
     gl.clearColor(grey, grey, grey, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const look = { exposure: this.exposure, tone: state.tone };
+    const look = { exposure: this.exposure, tone: state.tone, light: this.lighting.of(state) };
     if (state.background === 'light') this.balls.draw(this.lighting.of(state), { ...look, toClip: directionsToClip(state, this.aspect), depth: false });
     this.isDifference = state.compare === 'difference' && this.areAlike();
     this.lobe = lobeOf(this.lighting.page.kernels, this.first, state.vertex);
@@ -152,7 +156,8 @@ class Viewer {
   measure() {
     if (this.exposureIsKnown || this.state.exposure > 0) return;
     this.exposureIsKnown = true;
-    this.measured = this.picture.measure((mode) => this.first.draw(this.picture, this.state, 16 / 9, { mode }), () => this.first.read());
+    const light = this.lighting.of(this.state);
+    this.measured = this.picture.measure((mode) => this.first.draw(this.picture, this.state, 16 / 9, { mode, light }), () => this.first.read());
   }
 
   drawSubjects(width, height, look) {

@@ -1,5 +1,5 @@
 // What lies over the picture and beside it: the divider, labels, the marker and the numbers of the vertex, facts and time.
-import { numbersOf } from './transfer_file.js';
+import { nodeOf, numbersOf } from './transfer_file.js';
 import { turned } from './relight.js';
 import { spiralOf } from './light.js';
 import { isTurned, placed } from './stage.js';
@@ -98,7 +98,7 @@ export function showChosen(subject, vertex, { clientWidth, clientHeight }, clip)
   element('marker').style.left = `${((x / w + 1) / 2) * clientWidth}px`;
   element('marker').style.top = `${((1 - y / w) / 2) * clientHeight}px`;
   showVertex(element('vertex'), {
-    name: subject.isStage ? object.file.name : '', vertex, position: placed(pose, object.point(index)), normal: applied(pose.rotation, three('normal')),
+    name: subject.isStage ? object.file.name : '', node: nodeOf(transfer, index), vertex, position: placed(pose, object.point(index)), normal: applied(pose.rotation, three('normal')),
     radiance: object.relighter.read(index, 1), numbers: numbersOf(transfer, index), shape: transfer.shape, meaning: kMeanings[transfer.kind],
   });
 }

@@ -117,10 +117,10 @@ export function buildPanel(place, page, change, openFile) {
   };
 }
 
-/** What the page tells of a vertex: a table of facts, and its coefficients as bars. name: of its file on a stage, else empty. */
-export function showVertex(place, { name, vertex, position, normal, radiance, numbers, shape, meaning }) {
+/** What the page tells of a vertex: a table of facts, and its coefficients as bars. name: of its file on a stage, else empty; node: of its model, or undefined. */
+export function showVertex(place, { name, node, vertex, position, normal, radiance, numbers, shape, meaning }) {
   const three = (values) => [...values].map((value) => value.toPrecision(4)).join('  ');
-  const facts = [...(name ? [['Object', name]] : []), ['Vertex', String(vertex)], ['Position', three(position)], ['Normal', three(normal)], ['Radiance', three(radiance)]];
+  const facts = [...(name ? [['Object', name]] : []), ...(node?.name ? [['Node', node.name]] : []), ...(node?.material ? [['Material', node.material]] : []), ['Vertex', String(vertex)], ['Position', three(position)], ['Normal', three(normal)], ['Radiance', three(radiance)]];
   const channels = shape.channels === 3 ? ['red', 'green', 'blue'] : [''];
   const most = numbers.reduce((largest, value) => Math.max(largest, Math.abs(value)), 1e-30);
   const bars = channels.map((channel, c) => {

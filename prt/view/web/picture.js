@@ -1,9 +1,9 @@
 // Draws relit meshes, and measures the exposure as `prt render` does.
 import { programOf } from './relight.js';
 import { minus } from './vectors.js';
-import { surfacesOf } from './surfaces.js';
+import { Pictures, surfacesOf } from './surfaces.js';
 
-const kTones = ['neutral', 'reinhard', 'linear'];
+export const kTones = ['neutral', 'reinhard', 'linear'];
 
 /** The sphere around the box of points; each(visit) calls visit(point) for them. */
 export function sphereAround(each) {
@@ -43,6 +43,7 @@ export class DrawnMesh {
     this.point(1, relighter.radiance);
     this.point(2, relighter.radiance);
     this.surfaces = surfacesOf(gl, this);
+    this.pictures = this.hasPixels && relighter.baked.transfer.albedoMaps.length > 0 ? new Pictures(gl, this) : null;
   }
 
   giveFaces(arrays) {
@@ -70,6 +71,14 @@ export class DrawnMesh {
   get hasPixels() {
     const { pixels } = this.relighter.baked.runtime.shaders;
     return Boolean(pixels) && pixels.vectors <= this.gl.getParameter(this.gl.MAX_VARYING_VECTORS);
+  }
+
+  /** Draws its faces by the program in use; hasPictures: with pictures of the albedo, if it has any. */
+  drawFaces(program, hasPictures) {
+    const { gl } = this;
+    if (hasPictures && this.surfaces) return this.surfaces.draw();
+    if (hasPictures && this.pictures) return this.pictures.draw(program, Object.keys(this.relighter.textures).length);
+    return gl.drawElements(gl.TRIANGLES, this.count, gl.UNSIGNED_INT, 0);
   }
 
   pixelProgram(shaders) {
@@ -121,7 +130,7 @@ export class Picture {
     for (const [side, offset] of [[gl.FRONT, 1], [gl.BACK, 0]]) {
       gl.cullFace(side);
       gl.polygonOffset(offset, offset);
-      mode !== 1 && mesh.surfaces ? mesh.surfaces.draw() : gl.drawElements(gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0);
+      mesh.drawFaces(program, mode !== 1);
     }
     gl.disable(gl.POLYGON_OFFSET_FILL);
     gl.disable(gl.CULL_FACE);

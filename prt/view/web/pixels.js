@@ -1,5 +1,5 @@
-// What glossy surfaces need to be shaded pixel by pixel under their normal maps: textures, and tangents of the vertices as
-// prt/runtime/shading_normals.cpp has them.
+// What glossy surfaces need to be shaded pixel by pixel: places in the pictures of their albedo and, under normal maps,
+// textures, and tangents of the vertices as prt/runtime/shading_normals.cpp has them.
 import { texture } from './relight.js';
 import { cross, dotOf, minus, plus, unit } from './vectors.js';
 
@@ -48,9 +48,17 @@ function tangentsOf({ vertices, sections }) {
 }
 
 /** A loaded file with what the shaders of its pixels read besides. */
-export function withNormalMaps(baked) {
+export function withPixels(baked) {
+  const { sections } = baked.transfer;
+  if (!baked.runtime.shaders.pixels) return baked;
+  const ofPictures = [['picture_place', 12, 2, sections.texture], ['tint', 13, 3, sections.tint]];
+  const attributes = ofPictures.filter(() => sections.albmap).map(([name, location, components, array]) => ({ name, location, components, array }));
+  return withNormalMaps({ ...baked, attributes: [...baked.attributes, ...attributes] });
+}
+
+function withNormalMaps(baked) {
   const { vertices, sections } = baked.transfer;
-  if (!baked.runtime.shaders.pixels || !sections.normmap) return baked;
+  if (!sections.normmap) return baked;
   const [tangent, mirrored] = tangentsOf(baked.transfer);
   const places = new Float32Array(3 * vertices);
   sections.normmap.forEach((map, v) => places.set([sections.texture[2 * v], sections.texture[2 * v + 1], map], 3 * v));

@@ -82,9 +82,9 @@ function texturesOf({ sections, isGlossy, shape, indirect }, tables) {
 }
 
 // What the shaders depend on, as `prt view` writes it.
-function needsOf({ kind, degree, storage = null, indirect = null, brdfs = [] }) {
+function needsOf({ kind, degree, rows, storage = null, indirect = null, brdfs = [] }) {
   const withoutError = (json) => (json && Object.fromEntries(Object.entries(json).filter(([key]) => key !== 'error')));
-  return { kind, degree, storage: withoutError(storage), indirect: withoutError(indirect), brdfs: brdfs.length > 0 };
+  return { kind, degree, rows, storage: withoutError(storage), indirect: withoutError(indirect), brdfs: brdfs.length > 0 };
 }
 
 /**

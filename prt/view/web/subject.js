@@ -1,7 +1,7 @@
 // What is shown at a time: a transfer file, or the objects of a stage, each with its own transfer, pose and light.
 import { FileError, numbersOf } from './transfer_file.js';
 import { bakedOf, inDegree, load, Relighter, requireKept, turned } from './relight.js';
-import { withNormalMaps } from './pixels.js';
+import { withPixels } from './pixels.js';
 import { capsSeenFrom, isTurned, placed, poseAt, withoutCap } from './stage.js';
 import { applied, transposed } from './vectors.js';
 import { localEye, toClip } from './camera.js';
@@ -19,7 +19,7 @@ function naming(name, make) {
 
 /** A file of the page, checked: {name, bytes, baked}. `given` has its shaders. Throws FileError. */
 export function fileOf(given, bytes, kernels) {
-  return naming(given.name, () => ({ name: given.name, bytes: bytes.length, baked: withNormalMaps(load(bytes, { shaders: given, kernels })) }));
+  return naming(given.name, () => ({ name: given.name, bytes: bytes.length, baked: withPixels(load(bytes, { shaders: given, kernels })) }));
 }
 
 // Rows in single precision, with all columns, that the page writes itself.
@@ -87,6 +87,7 @@ export class Subject {
     this.isStage = objects.some(({ keys }) => keys);
     this.moves = objects.some(({ keys = [] }) => keys.length > 1);
     this.isGlossy = this.objects.some(({ transfer }) => transfer.isGlossy);
+    this.dependsOnEye = this.isGlossy;
     this.vertices = this.objects.reduce((sum, { transfer }) => sum + transfer.vertices, 0);
     this.bytes = [...new Set(this.objects.map(({ file }) => file))].reduce((sum, file) => sum + file.bytes, 0);
     this.place(0);

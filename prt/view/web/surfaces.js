@@ -58,11 +58,65 @@ export function surfacesOf(gl, mesh) {
   return isPlain || transfer.isGlossy ? null : new Surfaces(gl, mesh);
 }
 
+/** The pictures of a mesh on the GPU, and its faces picture by picture. */
+export class Pictures {
+  constructor(gl, mesh) {
+    const { transfer, pictures = [] } = mesh.relighter.baked;
+    this.gl = gl;
+    this.ids = pictures.map((picture) => this.upload(picture));
+    this.groups = this.sortFaces(transfer, mesh.arrays);
+  }
+
+  upload(picture) {
+    const { gl } = this;
+    const id = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, id);
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, picture);
+    gl.generateMipmap(gl.TEXTURE_2D);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+    return id;
+  }
+
+  // Puts faces with one picture behind each other: [{first, count, picture}].
+  sortFaces({ sections: { face, albmap = [] } }, arrays) {
+    const { gl } = this;
+    const faces = Array.from({ length: face.length / 3 }, (_, f) => f);
+    const pictureOf = (f) => albmap[face[3 * f]] ?? 0;
+    faces.sort((a, b) => pictureOf(a) - pictureOf(b) || a - b);
+    const sorted = new Uint32Array(face.length);
+    const groups = [];
+    faces.forEach((f, place) => {
+      sorted.set(face.subarray(3 * f, 3 * f + 3), 3 * place);
+      const picture = pictureOf(f);
+      if (groups.at(-1)?.picture !== picture) groups.push({ first: 3 * place, count: 0, picture });
+      groups.at(-1).count += 3;
+    });
+    gl.bindVertexArray(arrays);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, sorted, gl.STATIC_DRAW);
+    gl.bindVertexArray(null);
+    return groups;
+  }
+
+  /** Draws the faces by the program in use, which reads `picture` from this unit. */
+  draw(program, unit) {
+    const { gl } = this;
+    gl.uniform1i(gl.getUniformLocation(program, 'picture'), unit);
+    for (const { first, count, picture } of this.groups) {
+      gl.uniform1i(gl.getUniformLocation(program, 'has_picture'), picture);
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, picture > 0 ? this.ids[picture - 1] : null);
+      gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
+    }
+    gl.activeTexture(gl.TEXTURE0);
+  }
+}
+
 class Surfaces {
   constructor(gl, mesh) {
     this.gl = gl;
     this.mesh = mesh;
-    const { transfer, pictures = [] } = mesh.relighter.baked;
+    const { transfer } = mesh.relighter.baked;
     if (transfer.atlases.length > kMostAtlases) {
       throw new FileError(`${transfer.atlases.length} atlases: a page shows at most ${kMostAtlases} in a file`);
     }
@@ -70,8 +124,7 @@ class Surfaces {
     this.textures = {};
     this.addAttributes(transfer);
     this.addReceivers(transfer);
-    this.pictures = pictures.map((picture) => this.upload(picture));
-    this.groups = this.sortFaces(transfer);
+    this.pictures = new Pictures(gl, mesh);
   }
 
   // Attributes of vertices, which stand for zeros where the file has none.
@@ -132,37 +185,6 @@ class Surfaces {
     gl.texImage2D(gl.TEXTURE_2D, 0, internal, kWide, rows, 0, layout, type, padded);
   }
 
-  upload(picture) {
-    const { gl } = this;
-    const id = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, id);
-    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, picture);
-    gl.generateMipmap(gl.TEXTURE_2D);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
-    return id;
-  }
-
-  // Puts faces with one picture behind each other: [{first, count, picture}].
-  sortFaces({ sections: { face, albmap = [] } }) {
-    const { gl } = this;
-    const faces = Array.from({ length: face.length / 3 }, (_, f) => f);
-    const pictureOf = (f) => albmap[face[3 * f]] ?? 0;
-    faces.sort((a, b) => pictureOf(a) - pictureOf(b) || a - b);
-    const sorted = new Uint32Array(face.length);
-    const groups = [];
-    faces.forEach((f, place) => {
-      sorted.set(face.subarray(3 * f, 3 * f + 3), 3 * place);
-      const picture = pictureOf(f);
-      if (groups.at(-1)?.picture !== picture) groups.push({ first: 3 * place, count: 0, picture });
-      groups.at(-1).count += 3;
-    });
-    gl.bindVertexArray(this.mesh.arrays);
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, sorted, gl.STATIC_DRAW);
-    gl.bindVertexArray(null);
-    return groups;
-  }
-
   /** Makes the program ready that shades the pixels. */
   use(shaders) {
     const { gl, mesh } = this;
@@ -175,7 +197,6 @@ class Surfaces {
       gl.bindTexture(gl.TEXTURE_2D, id);
       gl.uniform1i(gl.getUniformLocation(this.program, name), unit);
     });
-    gl.uniform1i(gl.getUniformLocation(this.program, 'picture'), Object.keys(this.textures).length);
     gl.uniform3iv(gl.getUniformLocation(this.program, 'atlases'), this.atlases);
     gl.bindVertexArray(mesh.arrays);
     return this.program;
@@ -193,15 +214,5 @@ class Surfaces {
     gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
   }
 
-  /** Draws the faces, picture by picture. */
-  draw() {
-    const { gl } = this;
-    for (const { first, count, picture } of this.groups) {
-      gl.uniform1i(gl.getUniformLocation(this.program, 'has_picture'), picture);
-      gl.activeTexture(gl.TEXTURE0 + Object.keys(this.textures).length);
-      gl.bindTexture(gl.TEXTURE_2D, picture > 0 ? this.pictures[picture - 1] : null);
-      gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
-    }
-    gl.activeTexture(gl.TEXTURE0);
-  }
+  draw() { this.pictures.draw(this.program, Object.keys(this.textures).length); }
 }

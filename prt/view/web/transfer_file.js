@@ -32,12 +32,13 @@ const kSections = [
   ['albmap', kSmall, 1, 'vertices', true], ['tint', kFloat, 3, 'vertices', true], ['albpic', kByte, 1, 'other', true],
   ['chart', kFloat, 2, 'vertices', true], ['atlas', kSmall, 1, 'vertices', true], ['texel', kIndex, 1, 'other', true],
   ['indirect', kHalf, 0, 'stored'], ['cluster', kSmall, 1, 'vertices'], ['weight', kByte, 0, 'vertices'],
-  ['icluster', kSmall, 1, 'vertices'], ['iweight', kByte, 0, 'vertices'],
+  ['icluster', kSmall, 1, 'vertices'], ['iweight', kByte, 0, 'vertices'], ['density', kFloat, 1, 'vertices'],
 ].map(([name, type, columns, rows, optional = false]) => ({
   name, type, columns, rows, optional,
   isWeight: name.endsWith('weight'),
   isOfClusters: name.endsWith('weight') || name.endsWith('cluster'),
   isOfIndirect: name.startsWith('i'),
+  isOfMesh: !['transfer', 'emitted', 'scale', 'indirect', 'cluster', 'weight', 'icluster', 'iweight', 'density'].includes(name),
 }));
 
 const kDiffuse = { highest: kMaxDegree, meets: 'dot', result: () => 0, channels: 1, cosine: true, albedo: false };
@@ -50,6 +51,7 @@ const kKinds = {
   GS: kGlossy,
   GI: { ...kGlossy, bounces: true, indirect: true },
   DT: { ...kDiffuse, channels: 3, albedo: true },
+  DV: { ...kDiffuse, channels: 3, albedo: true, inMedium: true },  // on a grid; the result may have any degree
 };
 
 /** What is wrong with a file, as one line; the name of the file is left to who catches it. */
@@ -92,6 +94,26 @@ function amount(json, name) {
   return value;
 }
 
+// The nodes of the model files, each with its runs of faces.
+function nodesOf(header) {
+  const faces = whole(entry(header, 'faces', 'number'));
+  return entry(header, 'nodes', 'array').map((node) => {
+    const toWorld = entry(node, 'to_world', 'array');
+    if (toWorld.length !== 12 || !toWorld.every(Number.isFinite)) {
+      fail('transfer file with a node whose `to_world` is not 3 x 4 numbers');
+    }
+    let end = 0;
+    for (const run of entry(node, 'faces', 'array')) {
+      const [first, count] = [whole(entry({ run }, 'run', 'array')[0]), whole(run[1], 1)];
+      if (run.length !== 2 || first < end || first + count > faces) {
+        fail('transfer file with a node whose runs of faces do not rise, or name missing faces');
+      }
+      end = first + count;
+    }
+    return { name: entry(node, 'name', 'string'), material: entry(node, 'material', 'string'), toWorld, faces: node.faces };
+  });
+}
+
 function clustersOf(json) {
   if (!('clusters' in json)) return {};
   return { clusters: whole(json.clusters, 1, kMostClusters), vectors: whole(entry(json, 'vectors', 'number'), 0, kMostVectors) };
@@ -115,13 +137,14 @@ function shapeOfHeader(header, version, letters) {
     fail(`transfer of degree ${named}, expected 0 to ${kind.highest}`);
   }
   const degree = whole(named, 0, kind.highest);
-  const expected = shapeOf(kind.channels, degree, kind.result(degree), kind.meets);
+  let expected = shapeOf(kind.channels, degree, kind.result(degree), kind.meets);
   let channels = 1, resultDegree = expected.resultDegree, meets = expected.meets, cosine = kind.cosine, albedo = kind.albedo;
   if (version === 1) {
     channels = 'channels' in header ? whole(header.channels) : 1;
   } else {
     channels = whole(entry(header, 'channels', 'number'));
     resultDegree = whole(entry(header, 'result_degree', 'number'), 0, kMaxDegree);
+    if (kind.inMedium) expected = shapeOf(kind.channels, degree, resultDegree, kind.meets);
     meets = entry(header, 'meets', 'string');
     if (!kMeets.includes(meets)) fail(`transfer that meets the light by ${meets}, expected one of ${kMeets.join(', ')}`);
     cosine = entry(header, 'holds_cosine', 'boolean');
@@ -170,6 +193,34 @@ function frameOf(json) {
     fail('transfer file whose frame has an origin or a unit that is no length');
   }
   return { origin, unit };
+}
+
+function gridOf(json) {
+  const box = entry(json, 'box', 'array'), counts = entry(json, 'counts', 'array');
+  if (box.length !== 2 || box.some((corner) => corner.length !== 3) || counts.length !== 3) {
+    fail('transfer file whose grid has more than three axes');
+  }
+  counts.forEach((n) => whole(n, 0, 0xFFFFFFFF));
+  const filled = whole(entry(json, 'filled', 'number'));
+  const [low, high] = box;
+  if (!box.flat().every((x) => Math.abs(x) <= 1e30) || !low.every((x, axis) => high[axis] - x > 0)) {
+    fail(`transfer file: the box of its grid is from ${low.join(' ')} to ${high.join(' ')}, expected three sides above 0`);
+  }
+  const points = counts[0] * counts[1] * counts[2];
+  if (!counts.every((n) => n >= 2 && n <= 4096) || points > 2 ** 27) {
+    fail(`transfer file: its grid has ${counts.join(' x ')} points, expected 2 to 4096 along an axis and at most ${2 ** 27} in all`);
+  }
+  if (filled > points) fail(`transfer file: ${filled} points of its grid are filled, expected at most ${points}`);
+  return { box, counts, points };
+}
+
+function checkMedium(json) {
+  const albedo = entry(json, 'albedo', 'array'), anisotropy = entry(json, 'anisotropy', 'number');
+  whole(entry(json, 'directions', 'number'));
+  if (albedo.length !== 3 || !albedo.every((value) => value >= 0 && value <= 1) || !(Math.abs(anisotropy) < 1)) {
+    fail('transfer file of a medium whose albedo is not from 0 to 1, or anisotropy not within 1');
+  }
+  checkBounces(entry(json, 'scattering', 'object'));
 }
 
 class Reader {
@@ -255,7 +306,9 @@ class Reader {
     }
     const kind = kKinds[letters];
     const shape = shapeOfHeader(header, this.version, letters);
+    const grid = kind.inMedium ? gridOf(entry(header, 'grid', 'object')) : null;
     const frame = 'frame' in header ? frameOf(header.frame) : { origin: [0, 0, 0], unit: 1 };
+    if (kind.inMedium) checkMedium(entry(header, 'medium', 'object'));
     if (kind.bounces) checkBounces(entry(header, 'bounces', 'object'));
     const indirect = kind.indirect ? indirectOf(entry(header, 'indirect', 'object'), shape.degree) : null;
     if (shape.clusters) amount(header.storage, 'error');
@@ -265,9 +318,10 @@ class Reader {
       fail(`sampler ${header.sampler}, expected one of ${kSamplers.join(', ')}`);
     }
     entry(header, 'instruction_set', 'string');
-    return { header, scene, kind: letters, isGlossy: !kind.cosine, shape, indirect, frame, sections: {},
+    return { header, scene, kind: letters, isGlossy: !kind.cosine, shape, indirect, frame, grid, sections: {},
              brdfs: header.brdfs ?? [], normalMaps: header.normal_maps ?? [],
-             albedoMaps: header.albedo_maps ?? [], atlases: header.atlases ?? [] };
+             albedoMaps: header.albedo_maps ?? [], atlases: header.atlases ?? [],
+             nodes: 'nodes' in header ? nodesOf(header) : [] };
   }
 
   shapeFor(section) { return section.isOfIndirect ? this.transfer.indirect : this.transfer.shape; }
@@ -280,16 +334,20 @@ class Reader {
 
   // always, optional or never
   presenceOf(section) {
+    if (this.transfer.grid ? section.isOfMesh : section.name === 'density') return 'never';
     if (section.isOfIndirect && !this.transfer.indirect) return 'never';
     if (section.isOfClusters && !this.shapeFor(section).clusters) return 'never';
     if (this.columnsOf(section) === 0) return 'never';
     return section.optional ? 'optional' : 'always';
   }
 
+  // Those of the grid, or the vertices, which the first section has.
+  get receivers() { return this.transfer.grid?.points ?? this.table[0].rows; }
+
   rowsOf(section, otherwise) {
     const shape = this.shapeFor(section);
     if (section.rows === 'stored' && shape.clusters) return shape.clusters * (1 + shape.vectors);
-    return { vertices: this.table[0].rows, stored: this.table[0].rows, one: 1, other: otherwise }[section.rows];
+    return { vertices: this.receivers, stored: this.receivers, one: 1, other: otherwise }[section.rows];
   }
 
   checkShape() {
@@ -344,12 +402,13 @@ class Reader {
     if (!scale.every((value) => value >= 0 && Number.isFinite(value))) {
       fail('damaged transfer file: a scale is negative or not finite');
     }
-    this.transfer.vertices = this.table[0].rows;
-    this.transfer.faces = this.transfer.sections.face.length / 3;
+    this.transfer.vertices = this.receivers;
+    this.transfer.faces = (this.transfer.sections.face ?? []).length / 3;
   }
 
   checkCounts() {
-    const { header, vertices, faces, sections } = this.transfer;
+    const { header, vertices, faces, sections, grid } = this.transfer;
+    if (grid) return;
     for (const [name, n] of [['vertices', vertices], ['faces', faces], ['file_vertices', sections.remap.length]]) {
       if (header[name] !== n) {
         fail(`damaged transfer file: its JSON header says that \`${name}\` is ${JSON.stringify(header[name])}, its sections ${n}`);
@@ -370,8 +429,9 @@ function flawOfValues({ sections, vertices, shape, indirect, brdfs, normalMaps, 
   const finite = (values) => values.every(Number.isFinite);
   const isUnit = (x, y, z) => Math.abs(Math.hypot(x, y, z) - 1) <= 1e-3;
   const isPart = (x) => x >= 0 && x <= 1;
-  const { position, normal, geonorm, albedo, face, remap, emitted = [], mirror = [], specular = [], exponent = [], brdf = [],
+  const { position = [], normal = [], geonorm = [], albedo = [], face = [], remap = [], density = [], emitted = [], mirror = [], specular = [], exponent = [], brdf = [],
           brdfrow = [], texture = [], normmap = [], normtex = [], cluster, weight, icluster, iweight } = sections;
+  if (!density.every((value) => value >= 0 && Number.isFinite(value))) return 'a density is negative or not finite';
   if (!face.every((v) => v < vertices) || !remap.every((v) => v === kNoVertex || v < vertices)) {
     return 'it names a vertex that is not there';
   }
@@ -456,6 +516,12 @@ function addRow(shape, stored, scale, row, factor, out) {
       out[c * shape.count + place] += factor * value;
     }
   }
+}
+
+/** The node that a vertex belongs to, or undefined: of its first face. */
+export function nodeOf({ nodes, sections: { face } }, vertex) {
+  const of = Math.floor(face.indexOf(vertex) / 3);
+  return nodes.find(({ faces }) => faces.some(([first, count]) => first <= of && of < first + count));
 }
 
 /** The numbers of a vertex, (channels, rows, columns), decoded: for inspection, not for relighting. */

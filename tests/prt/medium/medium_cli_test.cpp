@@ -146,7 +146,7 @@ TEST_F(MediumTool, RefusesWhatIsForMeshes) {
   succeeded({"bake", scene, "-o", baked});
   const std::string reason = "transfer of kind DV, expected one of DU, DS, DI, GU, GS, GI";
   expect_refused({"relight", baked, "-o", folder.file("a.ply")}, reason);
-  expect_refused({"view", baked, "-o", folder.file("a.html")}, reason);
+  expect_refused({"view", baked, "-o", folder.file("a.js")}, reason);
   expect_refused({"fix-view", baked, "--eye", "1", "2", "3", "-o", folder.file("a.transfer")}, reason);
   for (const Arguments& more : {Arguments{"--sharp"}, {"--local", "8"}, {"--recolor", "1", "1", "1"}}) {
     expect_refused(joined({"render", baked, "-o", picture}, more), "is for surfaces");
