@@ -9,8 +9,7 @@
 #include "numeric/oracle/zonal.hpp"
 #include "numeric/report/source_claims.hpp"
 #include "numeric/sampling/directions.hpp"
-#include "numeric/sampling/random.hpp"
-#include "numeric/sampling/sphere_nodes.hpp"
+#include "numeric/sampling/point_lights.hpp"
 
 namespace sh::numeric {
 namespace {
@@ -18,7 +17,6 @@ namespace {
 constexpr double kPercent = 100;
 constexpr int kDegree = 2;
 using Nine = std::array<double, coefficient_count(kDegree)>;
-using Light = std::vector<SphereNode<double>>;  // directions with their power; the powers sum to 1
 
 Nine nine(const SphereNode<double>& d) {
   Nine y;
@@ -42,7 +40,7 @@ struct Error {
   double mean = 0;
 };
 
-Error error_of(const Light& light, const Normals& normals) {
+Error error_of(const PointLights& light, const Normals& normals) {
   Nine coefficients{};
   for (const auto& source : light) {
     const Nine y = nine(source);
@@ -54,40 +52,12 @@ Error error_of(const Light& light, const Normals& normals) {
   Error error;
   for (std::size_t n = 0; n < normals.directions.size(); ++n) {
     const auto& normal = normals.directions[n];
-    double difference = 0;
+    double difference = -irradiance(light, normal);
     for (std::size_t i = 0; i < coefficients.size(); ++i) difference += coefficients[i] * normals.basis[n][i];
-    for (const auto& source : light) {
-      difference -= source.weight * std::max(0.0, source.x * normal.x + source.y * normal.y + source.z * normal.z);
-    }
     error.largest = std::max(error.largest, std::abs(difference));
     error.mean += std::abs(difference) / static_cast<double>(normals.directions.size());
   }
   return error;
-}
-
-void scale_to_one(Light& light) {
-  double power = 0;
-  for (const auto& source : light) power += source.weight;
-  for (auto& source : light) source.weight /= power;
-}
-
-// `count` lights from random directions, powers uniform in [0, 2).
-Light random_light(int count, std::uint64_t seed) {
-  Light light = uniform_nodes(count, seed);
-  Random random(seed);
-  for (auto& source : light) source.weight = 1 + random.next();
-  scale_to_one(light);
-  return light;
-}
-
-// CIE overcast (1 + 2 z) / 3 above ground of radiance `ground` of the zenith's, and a sun with `sun` of the power.
-Light sky(double ground, double sun) {
-  Light light = fibonacci_nodes(2000);
-  for (auto& source : light) source.weight = source.z > 0 ? (1 + 2 * source.z) / 3 : ground;
-  scale_to_one(light);
-  for (auto& source : light) source.weight *= 1 - sun;
-  light.push_back({0.6, 0.0, 0.8, sun});
-  return light;
 }
 
 Error worst_of_random_lights(const Normals& normals, bool quick) {
@@ -96,7 +66,7 @@ Error worst_of_random_lights(const Normals& normals, bool quick) {
   std::uint64_t seed = 0;
   for (const int count : {1, 2, 3, 5, 10, 50}) {
     for (int i = 0; i < environments; ++i) {
-      const Error e = error_of(random_light(count, ++seed), normals);
+      const Error e = error_of(random_point_lights(count, ++seed), normals);
       worst.largest = std::max(worst.largest, e.largest);
       worst.mean = std::max(worst.mean, e.mean);
     }
@@ -105,9 +75,10 @@ Error worst_of_random_lights(const Normals& normals, bool quick) {
 }
 
 double mean_error_of_skies(const Normals& normals) {
-  const std::array<Light, 4> skies{sky(0, 0), sky(0.2, 0), sky(0.2, 0.2), sky(0.2, 0.5)};
+  const std::array<PointLights, 4> skies{overcast_point_lights(0, 0), overcast_point_lights(0.2, 0),
+                                         overcast_point_lights(0.2, 0.2), overcast_point_lights(0.2, 0.5)};
   double sum = 0;
-  for (const Light& light : skies) sum += error_of(light, normals).mean;
+  for (const PointLights& light : skies) sum += error_of(light, normals).mean;
   return sum / skies.size();
 }
 

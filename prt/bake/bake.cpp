@@ -333,9 +333,8 @@ Transfer bake_to_file(const std::string& file, BakeJob job, BakeReport* report, 
   Transfer transfer = bake(std::move(job), &measured, say);
   if (!is_first) return {};
   write_transfer(file, transfer);
-  for (const std::string& done : {measured.checkpoint, measured.bounces}) {
-    if (!done.empty()) std::filesystem::remove(done);
-  }
+  if (!measured.checkpoint.empty()) std::filesystem::remove(measured.checkpoint);
+  if (!measured.bounces.empty()) remove_bounces(measured.bounces);
   if (report != nullptr) *report = measured;
   return transfer;
 }

@@ -35,7 +35,14 @@ struct Head {
 };
 static_assert(sizeof(Head) == 16);
 
+// Where a state is written before it replaces the last one.
+std::string next_to(const std::string& path) { return path + ".new"; }
+
 }  // namespace
+
+void remove_bounces(const std::string& path) {
+  for (const std::string& file : {path, next_to(path)}) std::filesystem::remove(file);
+}
 
 std::string bounce_key(const std::string& bake_key, const BounceOptions& options,
                        const std::vector<Eigen::Vector3f>& albedo, const Panel& light) {
@@ -60,6 +67,8 @@ std::optional<BounceState> BounceCheckpoint::read(Panel& x, Panel& r) const {
   };
   CheckpointFile file = opened();
   if (!file.exists()) return std::nullopt;
+  Panel kept_x(x.rows, x.columns);  // a file that lacks a block leaves x and r as they are
+  Panel kept_r(x.rows, x.columns);
   std::optional<BounceState> state;
   std::vector<bool> has(2 * blocks_of(x), false);
   file.read([&](std::uint32_t index, std::string_view data) {
@@ -73,28 +82,21 @@ std::optional<BounceState> BounceCheckpoint::read(Panel& x, Panel& r) const {
     }
     const std::size_t place = index - 1;
     if (place >= has.size()) return;
-    const auto [numbers, bytes] = block_of(place % 2 == 0 ? x : r, place / 2);
+    const auto [numbers, bytes] = block_of(place % 2 == 0 ? kept_x : kept_r, place / 2);
     if (data.size() != bytes) return;
     std::memcpy(numbers, data.data(), bytes);
     has[place] = true;
   });
   if (!state || std::find(has.begin(), has.end(), false) != has.end()) return std::nullopt;
+  x = std::move(kept_x);
+  r = std::move(kept_r);
   return state;
 }
 
 std::optional<BounceState> BounceCheckpoint::load(Panel& x, Panel& r) const {
   if (settings_.path.empty()) return std::nullopt;
   std::optional<BounceState> state;
-  // Blocks that are read before the file turns out to lack one must not stay.
-  if (ranks_.is_first()) {
-    Panel kept_x = x;
-    Panel kept_r = r;
-    state = read(kept_x, kept_r);
-    if (state) {
-      x = std::move(kept_x);
-      r = std::move(kept_r);
-    }
-  }
+  if (ranks_.is_first()) state = read(x, r);
   if (ranks_.count < 2) return state;
   std::array<double, 4> head{};
   if (state) head = {1.0, static_cast<double>(state->phase), static_cast<double>(state->applications), state->before};
@@ -111,7 +113,7 @@ void BounceCheckpoint::keep(const BounceState& state, const Panel& x, const Pane
   const auto seconds = std::chrono::duration<double>(settings_.seconds);
   if (Clock::now() - last_ < std::max(std::chrono::duration_cast<Clock::duration>(seconds), kLittle * cost_)) return;
   const Clock::time_point began = Clock::now();
-  const std::string next = settings_.path + ".new";
+  const std::string next = next_to(settings_.path);
   {
     CheckpointFile file(next, key_, true);
     const Head head{static_cast<std::uint32_t>(state.phase), state.applications, state.before};

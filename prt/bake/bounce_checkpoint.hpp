@@ -33,6 +33,9 @@ struct BounceCheckpointSettings {
 /// The file beside a checkpoint or an output.
 inline std::string bounces_beside(const std::string& file) { return file + ".bounces"; }
 
+/// Removes the file, and one that was being written, if they are there.
+void remove_bounces(const std::string& path);
+
 /// A JSON object of everything that the iterates depend on: `bake_key` (checkpoint.hpp), how the system is solved, the albedo
 /// (vertices), and the light without bounces.
 std::string bounce_key(const std::string& bake_key, const BounceOptions& options,

@@ -29,8 +29,8 @@ bool has_mesh_name(const std::string& path);
 /// its strength if it has one. BRDF: the roughness and metallic factors of glTF (prt/material/microfacet.hpp).
 /// Pictures: those of base color, emission, roughness, metallic part and normals in glTF, that of the diffuse color in other
 /// formats (Finish::varied, Finish::normal_map). Soup::chart: the second set of texture coordinates, else the first.
-/// Two sides: glTF doubleSided and similar entries. Soup::nodes: an entry for each mesh of each node. `changes` replace all of these; mirrors and lobes come only from
-/// `changes`. Other textures are not read; `unread` says so. Throws std::runtime_error, one line that begins with the
+/// Two sides: glTF doubleSided and similar entries. Soup::nodes: an entry for each mesh of each node. `changes` replace all
+/// of these; mirrors and lobes come only from `changes`. Other textures are not read; `unread` says so. Throws std::runtime_error, one line that begins with the
 /// path, for a file that is missing, of no known format, damaged, or whose faces name missing vertices.
 ImportedMesh import_mesh(const std::string& path, const MaterialChanges& changes = {});
 

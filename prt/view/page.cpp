@@ -31,11 +31,11 @@ constexpr std::pair<std::string_view, std::string_view> kTexts[] = {
 constexpr std::string_view kModule[] = {"checksum.js", "transfer_file.js", "kernels.js", "relight.js"};
 constexpr std::string_view kPage[] = {"vectors.js",       "stage.js",      "camera.js",  "pixels.js",   "light.js",
                                       "radiance_file.js", "light_file.js", "state.js",   "embedded.js", "lighting.js",
-                                      "pick.js",          "surfaces.js",   "picture.js", "subject.js",  "medium.js",
-                                      "ball.js",          "input.js",      "panel.js",   "overlay.js",  "main.js"};
-constexpr std::string_view kShaders[] = {"tone.glsl",     "picture.vert",  "picture.frag", "picture_pixels.frag",
-                                         "surfaces.vert", "surfaces.frag", "medium.vert",  "medium.frag",
-                                         "ball.vert",     "ball.frag"};
+                                      "pick.js",          "surfaces.js",   "picture.js", "subject.js",  "ball.js",
+                                      "medium.js",        "input.js",      "panel.js",   "overlay.js",  "main.js"};
+constexpr std::string_view kShaders[] = {"tone.glsl",           "light.glsl",    "picture.vert",  "picture.frag",
+                                         "picture_pixels.frag", "surfaces.vert", "surfaces.frag", "medium.vert",
+                                         "medium.frag",         "ball.vert",     "ball.frag"};
 
 std::string_view text_of(std::string_view file) {
   return std::find_if(std::begin(kTexts), std::end(kTexts), [&](const auto& text) { return text.first == file; })

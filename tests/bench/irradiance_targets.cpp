@@ -10,14 +10,13 @@
 #include "generated/cpp/irradiance_evaluate.hpp"
 #include "generated/cpp/irradiance_zh3.hpp"
 #include "generated/cpp/project.hpp"
-#include "numeric/sampling/random.hpp"
-#include "numeric/sampling/sphere_nodes.hpp"
+#include "numeric/sampling/point_lights.hpp"
 #include "tests/bench/harness.hpp"
 
 namespace sh::bench {
 namespace {
 
-using Nodes = std::vector<numeric::SphereNode<double>>;
+using numeric::PointLights;
 constexpr std::size_t kNine = coefficient_count(2);
 
 // G. Hazel, "Reconstructing Diffuse Lighting from Spherical Harmonic Data", Geomerics 2015: never negative where
@@ -26,7 +25,7 @@ float hazel(const float* c, float x, float y, float z) {
   const float mean = 0.28209479F * c[0];
   const std::array<float, 3> along{c[3], c[1], c[2]};
   const float size = std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
-  if (!(mean > 0) || !(size > 0)) return std::max(0.0F, 4 * mean * 0.78539816F);
+  if (!(mean > 0) || !(size > 0)) return 3.14159265F * std::max(0.0F, mean);
   const float quotient = std::min(size / (std::sqrt(3.0F) * c[0]), 1.0F);
   const float q = 0.5F * (1 + (along[0] * x + along[1] * y + along[2] * z) / size);
   const float p = 1 + 2 * quotient;
@@ -36,50 +35,27 @@ float hazel(const float* c, float x, float y, float z) {
 
 struct Method {
   const char* name;
-  int numbers;
   float (*irradiance)(const float* c, float x, float y, float z);
 };
 constexpr std::array<Method, 4> kMethods{
-    {{"degree 1", 4, [](const float* c, float x, float y, float z) { return irradiance_evaluate<1>(c, x, y, z); }},
-     {"degree 1, Hazel", 4, hazel},
-     {"degree 1, ZH3", 4, [](const float* c, float x, float y, float z) { return irradiance_zh3<1>(c, x, y, z); }},
-     {"degree 2", 9, [](const float* c, float x, float y, float z) { return irradiance_evaluate<2>(c, x, y, z); }}}};
+    {{"degree 1", [](const float* c, float x, float y, float z) { return irradiance_evaluate<1>(c, x, y, z); }},
+     {"degree 1, Hazel", hazel},
+     {"degree 1, ZH3", [](const float* c, float x, float y, float z) { return irradiance_zh3<1>(c, x, y, z); }},
+     {"degree 2", [](const float* c, float x, float y, float z) { return irradiance_evaluate<2>(c, x, y, z); }}}};
 
 // The kinds of light, of power 1 each.
 struct Light {
   const char* name;
-  std::vector<Nodes> sets;
+  std::vector<PointLights> sets;
 };
 
-Nodes of_power_one(Nodes nodes) {
-  double power = 0;
-  for (const auto& node : nodes) power += node.weight;
-  for (auto& node : nodes) node.weight /= power;
-  return nodes;
-}
-
-// CIE overcast above ground of a fifth of the zenith's radiance, and a sun with `sun` of the power.
-Nodes sky(double sun) {
-  Nodes nodes = numeric::fibonacci_nodes(2000);
-  for (auto& node : nodes) node.weight = node.z > 0 ? (1 + 2 * node.z) / 3 : 0.2;
-  nodes = of_power_one(std::move(nodes));
-  for (auto& node : nodes) node.weight *= 1 - sun;
-  nodes.push_back({0.6, 0.0, 0.8, sun});
-  return nodes;
-}
-
-std::vector<Nodes> random_lights(int count) {
-  std::vector<Nodes> sets;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    Nodes nodes = numeric::uniform_nodes(count, seed);
-    numeric::Random random(seed);
-    for (auto& node : nodes) node.weight = 1 + random.next();
-    sets.push_back(of_power_one(std::move(nodes)));
-  }
+std::vector<PointLights> random_lights(int count) {
+  std::vector<PointLights> sets;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) sets.push_back(numeric::random_point_lights(count, seed));
   return sets;
 }
 
-std::array<float, kNine> coefficients(const Nodes& light) {
+std::array<float, kNine> coefficients(const PointLights& light) {
   std::array<double, kNine> c{};
   for (const auto& node : light) sh::project<2>(node.x, node.y, node.z, node.weight, c.data());
   std::array<float, kNine> rounded;
@@ -94,13 +70,12 @@ struct Error {
   bool is_negative = false;
 };
 
-Error error_of(const Method& method, const std::vector<Nodes>& sets, const Nodes& normals) {
+Error error_of(const Method& method, const std::vector<PointLights>& sets, const PointLights& normals) {
   Error error;
-  for (const Nodes& light : sets) {
+  for (const PointLights& light : sets) {
     const std::array<float, kNine> c = coefficients(light);
     for (const auto& n : normals) {
-      double exact = 0;
-      for (const auto& node : light) exact += node.weight * std::max(0.0, node.x * n.x + node.y * n.y + node.z * n.z);
+      const double exact = numeric::irradiance(light, n);
       const double ours =
           method.irradiance(c.data(), static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z));
       const double difference = 4 * std::abs(ours - exact);
@@ -117,13 +92,13 @@ Error error_of(const Method& method, const std::vector<Nodes>& sets, const Nodes
 void irradiance(Table& table) {
   table.section("Irradiance from few numbers, float",
                 "rms and largest error in the mean irradiance of all normals; time of a channel at a normal");
-  const std::vector<Light> lights{{"sky", {sky(0)}},
-                                  {"sky, a fifth from the sun", {sky(0.2)}},
-                                  {"sky, half from the sun", {sky(0.5)}},
+  const std::vector<Light> lights{{"sky", {numeric::overcast_point_lights(0.2, 0)}},
+                                  {"sky, a fifth from the sun", {numeric::overcast_point_lights(0.2, 0.2)}},
+                                  {"sky, half from the sun", {numeric::overcast_point_lights(0.2, 0.5)}},
                                   {"50 lights", random_lights(50)},
                                   {"5 lights", random_lights(5)},
                                   {"one light", random_lights(1)}};
-  const Nodes normals = numeric::fibonacci_nodes(2000);
+  const PointLights normals = numeric::fibonacci_nodes(2000);
   for (const Light& light : lights) {
     std::string line = std::string("  ") + light.name + ": ";
     for (const Method& method : kMethods) {

@@ -32,12 +32,11 @@ Kernel described(int channels) {
       "Irradiance towards a normal from radiance of degree 0 to 1 and a zonal band 2 that band 1 suggests (ZH3)";
   kernel.citation =
       "T. Roughton, P.-P. Sloan, A. Silvennoinen, M. Iwanicki, P. Shirley, \"ZH3: Quadratic Zonal Harmonics\", Proc. "
-      "ACM "
-      "Comput. Graph. Interact. Tech. 7 (1), 2024; constants derived exactly but for the fit 0.08, 0.6";
+      "ACM Comput. Graph. Interact. Tech. 7 (1), 2024; constants derived exactly but for the fit 0.08, 0.6";
   kernel.domain =
       "|n| = 1 for the normal n = (x, y, z); c (radiance): index l(l+1)+m, orthonormal, no Condon-Shortley phase, and "
-      "0 or "
-      "of size 1e-15 to 1e15; where |c_1| > sqrt(3) c_00, as no radiance has it, the suggestion stays that at sqrt(3)";
+      "0 or of size 1e-15 to 1e15; where |c_1| > sqrt(3) c_00, as no radiance has it, the suggestion stays that at "
+      "sqrt(3)";
   kernel.result = "E(n) = sum A_l c_lm Y_lm(n) of bands 0 to 2; diffuse exit radiance is albedo/pi E";
   kernel.parameters = with_direction({array(Role::kCoefficients, "c", kDegree, channels)});
   return kernel;

@@ -1,9 +1,22 @@
 // Draws functions on the sphere: the light as a ball or as the background, transfer as a lobe.
 import { programOf } from './relight.js';
 import { axesOf } from './camera.js';
+import { kTones } from './picture.js';
 
 const kColumns = 96, kRows = 48;
 const kHead = '#version 300 es\n';
+
+/** light.glsl with the generated function of a degree. */
+export function lightText(shaders, kernelTexts, degree) {
+  const name = `evaluate_rgb_l${degree}`;
+  return `${kernelTexts[name]}#define COUNT ${(degree + 1) ** 2}\n#define EVALUATE ${name}\n${shaders['light.glsl']}`;
+}
+
+/** Sets the function of light.glsl. */
+export function setLight(gl, program, { values }) {
+  const n = values.length / 3;
+  gl.uniform3fv(gl.getUniformLocation(program, 'coefficients'), Float32Array.from(values, (_, i) => values[(i % 3) * n + Math.floor(i / 3)]));
+}
 
 export class Balls {
   constructor(gl, shaders, kernelTexts) {
@@ -16,10 +29,9 @@ export class Balls {
 
   programFor(degree) {
     if (!this.programs.has(degree)) {
-      const name = `evaluate_rgb_l${degree}`;
-      const defines = `#define COUNT ${(degree + 1) ** 2}\n#define EVALUATE ${name}\n#define COLUMNS ${kColumns}\n#define ROWS ${kRows}\n`;
+      const defines = `#define COLUMNS ${kColumns}\n#define ROWS ${kRows}\n`;
       this.programs.set(degree, programOf(this.gl,
-        `${kHead}precision highp float;\nprecision highp int;\n${this.kernelTexts[name]}${defines}${this.shaders['ball.vert']}`,
+        `${kHead}precision highp float;\nprecision highp int;\n${lightText(this.shaders, this.kernelTexts, degree)}${defines}${this.shaders['ball.vert']}`,
         `${kHead}${this.shaders['tone.glsl']}${this.shaders['ball.frag']}`));
     }
     return this.programs.get(degree);
@@ -30,13 +42,12 @@ export class Balls {
     const gl = this.gl;
     const program = this.programFor(light.degree);
     const at = (name) => gl.getUniformLocation(program, name);
-    const n = light.values.length / 3;
     gl.useProgram(program);
-    gl.uniform3fv(at('coefficients'), Float32Array.from(light.values, (_, i) => light.values[(i % 3) * n + Math.floor(i / 3)]));
+    setLight(gl, program, light);
     gl.uniformMatrix4fv(at('to_clip'), false, toClip);
     gl.uniform1f(at('lobe'), lobe);
     gl.uniform1f(at('exposure'), exposure);
-    gl.uniform1i(at('tone'), ['neutral', 'reinhard', 'linear'].indexOf(tone));
+    gl.uniform1i(at('tone'), kTones.indexOf(tone));
     gl.uniform1i(at('mode'), lobe > 0 ? 1 : depth ? 0 : 2);
     gl.uniform3fv(at('accent'), accent);
     gl.bindVertexArray(this.arrays);

@@ -1,6 +1,4 @@
-// A function on the sphere, evaluated by a generated function at the points of a grid of COLUMNS x ROWS cells. Above:
-// COUNT coefficients of a channel, EVALUATE.
-uniform vec3 coefficients[COUNT];  // red, green, blue
+// Below light.glsl, whose function it draws at the points of a grid of COLUMNS x ROWS cells.
 uniform mat4 to_clip;
 uniform float lobe;  // 0: a ball; else a lobe, as far from the middle as |value| times this
 
@@ -15,11 +13,7 @@ void main() {
     float phi = 6.2831853 * float(column % COLUMNS) / float(COLUMNS);
     float theta = 3.1415927 * float(row) / float(ROWS);
     vec3 s = vec3(sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta));
-    float c[3 * COUNT];
-    for (int i = 0; i < 3 * COUNT; ++i) c[i] = coefficients[i % COUNT][i / COUNT];
-    float rgb[3];
-    EVALUATE(c, s.x, s.y, s.z, rgb);
-    value = vec3(rgb[0], rgb[1], rgb[2]);
+    value = evaluated(s);
     facing = -2.0 * (to_clip * vec4(s, 0.0)).z;
     gl_Position = to_clip * vec4(lobe == 0.0 ? s : s * (lobe * abs(value.g)), 1.0);
 }

@@ -1,4 +1,4 @@
-// Below tone.glsl, and a generated function EVALUATE of COUNT coefficients a channel. A ray through the grid of a medium, cell
+// Below tone.glsl and light.glsl. A ray through the grid of a medium, cell
 // by cell and front to back, as prt/medium/lit_medium.cpp: in a cell the optical depth is exact, and the light that it sends
 // linear in it between the faces.
 precision highp sampler3D;
@@ -15,7 +15,6 @@ uniform vec2 half_size;        // of the picture at distance 1
 uniform float densest;         // the largest extinction
 uniform int mode;              // 0 picture, 2 radiance itself, where it covers at least half of what is behind
 uniform bool lit_behind;       // the light is the background, not grey
-uniform vec3 coefficients[COUNT];
 
 out vec4 color;
 
@@ -34,14 +33,7 @@ vec3 weights(float depth) {
     return vec3(taken - far, far, through);
 }
 
-vec3 behind(vec3 direction) {
-    if (!lit_behind) return vec3(kGrey / exposure);
-    float c[3 * COUNT];
-    for (int i = 0; i < 3 * COUNT; ++i) c[i] = coefficients[i % COUNT][i / COUNT];
-    float rgb[3];
-    EVALUATE(c, direction.x, direction.y, direction.z, rgb);
-    return max(vec3(rgb[0], rgb[1], rgb[2]), 0.0);
-}
+vec3 behind(vec3 direction) { return lit_behind ? max(evaluated(direction), 0.0) : vec3(kGrey / exposure); }
 
 void main() {
     vec3 ray = normalize(vec3(place * half_size, 1.0));

@@ -3,6 +3,8 @@ import { FileError } from './transfer_file.js';
 import { programOf, Relighter } from './relight.js';
 import { axesOf, eyeOf } from './camera.js';
 import { kTones } from './picture.js';
+import { naming } from './subject.js';
+import { lightText, setLight } from './ball.js';
 import { inRadians, minus } from './vectors.js';
 
 /** A subject like those of subject.js. kernelTexts: the page's. */
@@ -20,7 +22,7 @@ export class Medium {
     if (Math.max(...counts) > most) {
       throw new FileError(`${file.name}: a grid of ${counts.join(' x ')} points, this GPU has at most ${most} along an axis: bake fewer voxels`);
     }
-    this.relighter = new Relighter(gl, file.baked);
+    this.relighter = naming(file.name, () => new Relighter(gl, file.baked));
     // Where the GPU does not interpolate single precision, half of it serves.
     const isSingle = gl.getExtension('OES_texture_float_linear') !== null;
     this.sent = this.volume(isSingle ? gl.RGB32F : gl.RGB16F);
@@ -67,11 +69,9 @@ export class Medium {
 
   programFor(degree, shaders) {
     if (this.degree !== degree) {
-      const name = `evaluate_rgb_l${degree}`;
-      const defines = `#define COUNT ${(degree + 1) ** 2}\n#define EVALUATE ${name}\n`;
       if (this.program) this.gl.deleteProgram(this.program);
       this.program = programOf(this.gl, shaders['medium.vert'],
-        `#version 300 es\n${shaders['tone.glsl']}${this.kernelTexts[name]}${defines}${shaders['medium.frag']}`);
+        `#version 300 es\n${shaders['tone.glsl']}${lightText(shaders, this.kernelTexts, degree)}${shaders['medium.frag']}`);
       this.degree = degree;
     }
     return this.program;
@@ -86,8 +86,8 @@ export class Medium {
     const { right, up, back } = axesOf(camera);
     const axes = [right, up, back.map((x) => -x)];
     const height = Math.tan(0.5 * inRadians(camera.fieldOfView));
-    const n = light.values.length / 3;
     gl.useProgram(program);
+    setLight(gl, program, light);
     [['sent', this.sent], ['extinction', this.extinction]].forEach(([name, id], unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_3D, id);
@@ -103,7 +103,6 @@ export class Medium {
     gl.uniform1i(at('tone'), kTones.indexOf(tone));
     gl.uniform1i(at('mode'), mode);
     gl.uniform1i(at('lit_behind'), camera.background === 'light' ? 1 : 0);
-    gl.uniform3fv(at('coefficients'), Float32Array.from(light.values, (_, i) => light.values[(i % 3) * n + Math.floor(i / 3)]));
     gl.disable(gl.DEPTH_TEST);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }

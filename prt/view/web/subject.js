@@ -8,8 +8,8 @@ import { localEye, toClip } from './camera.js';
 import { vertexAlong } from './pick.js';
 import { DrawnMesh, sphereAround } from './picture.js';
 
-// Puts the name of a file before what is wrong with it.
-function naming(name, make) {
+/** Puts the name of a file before what is wrong with it. */
+export function naming(name, make) {
   try {
     return make();
   } catch (error) {
