@@ -103,6 +103,11 @@ TEST_P(Gathers, WithoutLobesWhatDiffuseObjectsGather) {
   const std::vector<Eigen::Vector3f> expected = lit(diffuse, light).radiance(poses, light_turn, kEye);
   const StageLighting lighting = lit(glossy, light);
   EXPECT_LT(difference(lighting.radiance(poses, light_turn, kEye), expected), 1e-5F);
+  // A turn of everything, one of the cube's own, changes nothing.
+  const Eigen::Matrix3d turn = rotation_about(Eigen::Vector3d(1.0, 1.0, 1.0), 120.0);
+  std::vector<Pose> with_turn = poses;
+  for (Pose& pose : with_turn) pose = {turn * pose.rotation, turn * pose.position};
+  EXPECT_LT(difference(lighting.radiance(with_turn, turn * light_turn, turn * kEye), expected), 1e-4F);
   // Without the others it would look otherwise.
   Stage alone = glossy;
   alone.objects.resize(1);
