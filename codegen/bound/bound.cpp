@@ -7,7 +7,7 @@
 #include "codegen/bound/bilinear.hpp"
 #include "codegen/bound/every_number.hpp"
 #include "codegen/bound/size.hpp"
-#include "codegen/bound/straight.hpp"
+#include "codegen/passes/passes.hpp"
 
 namespace sh::codegen::bound {
 namespace {
@@ -182,7 +182,7 @@ Bound of_products(const Kernel& kernel, const Domain& domain, const Region& regi
 
 Bound bound(const Kernel& kernel, const Domain& domain, const Format& format, const Effort& effort) {
   try {
-    const Kernel nodes = straight(kernel);
+    const Kernel nodes = passes::unroll(kernel);
     const Region region = region_of(nodes, domain, format);
     if (is_bilinear(nodes, region)) return of_products(nodes, domain, region, format, effort);
     if (auto of_points = bound_at_every_number(nodes, domain, region, format)) return *of_points;

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "codegen/bound/size.hpp"
-#include "codegen/bound/straight.hpp"
+#include "codegen/passes/passes.hpp"
 
 namespace sh::codegen::bound {
 namespace {
@@ -93,7 +93,7 @@ std::string gappa_script(const Kernel& kernel, const Domain& domain, const Forma
     throw std::invalid_argument("--gappa: expected a kernel of directions or single parameters, got " + got);
   };
   if (!proved.is_proved()) refuse("one without a bound: " + proved.missing);
-  const Kernel nodes = straight(kernel);
+  const Kernel nodes = passes::unroll(kernel);
   const Region region = region_of(nodes, domain, format);
   if (region.homogeneous) refuse("one of vectors of any length");
   if (std::count(region.coordinate.begin(), region.coordinate.end(), -1) > 0) refuse("one with coefficients");

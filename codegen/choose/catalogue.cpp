@@ -59,10 +59,10 @@ FinishedKernel choose(const std::vector<FinishedKernel>& kernels, Prefer prefer)
 }
 
 // Prints a kernel in every written language; its line of the manifest gets the paths and the stated errors.
-void add_files(std::map<std::string, std::string>& files, const Family& family, const FinishedKernel& finished,
+void add_files(std::map<std::string, std::string>& files, const FinishedKernel& finished,
                ManifestEntry& entry) {
   for (const Language& language : languages()) {
-    if (!language.written || (language.shader && finished.kernel.degree > family.largest_shader)) continue;
+    if (!language.written) continue;
     entry.files.push_back(language.name + "/" + finished.kernel.name + language.suffix);
     files[entry.files.back()] = language.print_kernel(finished, print::Scalar::kFloat);
   }
@@ -79,7 +79,7 @@ const std::vector<Language>& languages() {
        .written = true,
        .print_kernel = print::cpp_kernel,
        .print_family = print::cpp_family},
-      {.name = "glsl", .suffix = ".glsl", .written = true, .shader = true, .print_kernel = print::glsl_kernel},
+      {.name = "glsl", .suffix = ".glsl", .written = true, .print_kernel = print::glsl_kernel},
       {.name = "glsl-es", .suffix = ".glsl", .print_kernel = print::glsl_es_kernel},
       {.name = "hlsl", .suffix = ".hlsl", .print_kernel = print::hlsl_kernel},
       {.name = "c99", .suffix = ".h", .print_kernel = print::c99_kernel}};
@@ -197,8 +197,8 @@ void render_family(const Family& family, const std::function<void(const std::str
     for (const FinishedKernel& candidate : all) {
       const std::string& recipe = candidate.kernel.recipe;
       ManifestEntry entry{candidate, {}, committed_wisdom().find(family.name, degree, recipe)};
-      if (recipe == written.back().kernel.recipe) add_files(rendering.files, family, written.back(), entry);
-      if (worthwhile && recipe == accurate.kernel.recipe) add_files(rendering.files, family, accurate, entry);
+      if (recipe == written.back().kernel.recipe) add_files(rendering.files, written.back(), entry);
+      if (worthwhile && recipe == accurate.kernel.recipe) add_files(rendering.files, accurate, entry);
       rendering.manifest.push_back(entry);
     }
   }

@@ -18,7 +18,6 @@ struct Language {
   std::string name;      ///< the value of `--lang` and the name of the folder under generated/
   std::string suffix;    ///< the suffix of its files
   bool written = false;  ///< true: `shgen write` writes this language; false: only `shgen emit` prints it
-  bool shader = false;   ///< true: the language of shaders, whose compilers unroll loops
   std::string (*print_kernel)(const FinishedKernel&, print::Scalar) = nullptr;
   /// One file for the whole family; nullptr where the language has no such file.
   std::string (*print_family)(const std::vector<FinishedKernel>&) = nullptr;

@@ -80,7 +80,7 @@ Json errors(const MeasuredError& measured) {
   return json;
 }
 
-Json kernel(const FinishedKernel& finished, int largest_shader) {
+Json kernel(const FinishedKernel& finished) {
   const Kernel& k = finished.kernel;
   Json json = {{"name", k.name},
                {"degree", k.degree},
@@ -89,7 +89,6 @@ Json kernel(const FinishedKernel& finished, int largest_shader) {
                {"results", parameters(k.results)},
                {"float", errors(finished.in_float)},
                {"double", errors(finished.in_double)}};
-  if (k.degree > largest_shader) json["shader"] = false;
   return json;
 }
 
@@ -114,7 +113,7 @@ std::string family_text(const RecordedFamily& recorded) {
   text.back() = ',';
   text += "\n  \"kernels\": [";
   for (std::size_t i = 0; i < recorded.kernels.size(); ++i) {
-    text += (i == 0 ? "\n    " : ",\n    ") + kernel(recorded.kernels[i], recorded.family->largest_shader).dump();
+    text += (i == 0 ? "\n    " : ",\n    ") + kernel(recorded.kernels[i]).dump();
   }
   return text + "]}";
 }

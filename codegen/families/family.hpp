@@ -78,7 +78,6 @@ struct BatchDriver {
 struct Family {
   std::string name;
   int largest_written = 10;  ///< `shgen write` writes degrees 0 to this
-  int largest_shader = 20;   ///< and shaders of those to this
   int largest_emitted = 20;  ///< `shgen emit` prints degrees 0 to this
   /// The reason for largest_emitted, one line.
   std::string limit = "straight-line code of a higher degree is too long to be useful";

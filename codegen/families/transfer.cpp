@@ -29,7 +29,6 @@ constexpr int kDigits = kCheckDigits + 20;
 constexpr unsigned long kSeed = 20020701;
 constexpr int kInputs = 120;
 constexpr int kLargest = symbolic::kMaxProductDegree / 2;
-constexpr int kLargestInShaders = 4;  // of loops, which compilers of shaders unroll: generated/README.md has the times
 constexpr const char* kLimit = "visibility has twice the degree, and the Gaunt tensor is derived to that degree only";
 
 using Node = std::array<cln::cl_RA, 3>;
@@ -224,7 +223,6 @@ Family apply_family(const std::string& name, int channels, const std::string& wh
   return {
       .name = name,
       .largest_written = kLargest,
-      .largest_shader = kLargestInShaders,
       .largest_emitted = kLargest,
       .limit = kLimit,
       .recipes = recipes_of(recipes::transfer_apply, channels),
@@ -240,7 +238,6 @@ Family glossy_family(const std::string& name, int channels, const std::string& w
   return {
       .name = name,
       .largest_written = kLargest,
-      .largest_shader = kLargestInShaders,
       .largest_emitted = kLargest,
       .limit = kLimit,
       .recipes = recipes_of(recipes::transfer_glossy, channels),

@@ -14,7 +14,7 @@ namespace sh::codegen {
 
 class FirstOrder {
  public:
-  /// kernel: without a loop (bound/straight.hpp); it has to outlive this object.
+  /// kernel: without a loop (passes::unroll); it has to outlive this object.
   FirstOrder(const Kernel& kernel, const bound::Format& format);
 
   /// Computes the nodes at flattened inputs.

@@ -22,7 +22,7 @@ using Lanes = std::array<double, kLanes>;
 template <class T>
 class ErrorLanes {
  public:
-  /// kernel: without a loop (bound/straight.hpp); it has to outlive this object.
+  /// kernel: without a loop (passes::unroll); it has to outlive this object.
   ErrorLanes(const Kernel& kernel, const bound::Format& format);
 
   /// inputs: by flattened parameter; numbers of T.

@@ -5,7 +5,6 @@
 #include <span>
 #include <utility>
 
-#include "codegen/bound/straight.hpp"
 #include "codegen/measure/arithmetic.hpp"
 #include "codegen/measure/domains.hpp"
 #include "codegen/measure/first_order.hpp"
@@ -197,7 +196,7 @@ template <class T>
 class Search {
  public:
   Search(const Kernel& kernel, const Domain& domain, const Inputs& tested, bound::Format format)
-      : kernel_(bound::straight(kernel)),
+      : kernel_(passes::unroll(kernel)),
         format_(std::move(format)),
         size_(size_of(kernel, domain)),
         range_(kernel.parameters, tested),

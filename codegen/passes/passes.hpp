@@ -30,6 +30,9 @@ Kernel prune(const Kernel& kernel);
 Kernel associate(const Kernel& kernel);
 /// Orders the nodes so that few values are live at once.
 Kernel schedule(const Kernel& kernel);
+/// Writes the rows of the loop one after the other, and prunes. A sum over the rows becomes a chain of additions, the first
+/// row first. No pass of the pipeline: the analysis of errors and shaders need it.
+Kernel unroll(const Kernel& kernel);
 
 }  // namespace passes
 

@@ -1,8 +1,10 @@
 #include "codegen/print/files.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <stdexcept>
 
+#include "codegen/passes/passes.hpp"
 #include "codegen/print/describe.hpp"
 #include "codegen/print/statements.hpp"
 
@@ -78,6 +80,13 @@ std::string guard(const std::string& name) {
   return text + "_H";
 }
 
+// Compilers of shaders copy an array that is read at an index which moves on in a loop, and take a branch for each of its
+// elements: Mesa needs twelve times as long for transfer_apply_l5 as without the loop.
+Kernel for_shaders(const Kernel& kernel) {
+  const bool moves = std::any_of(kernel.nodes.begin(), kernel.nodes.end(), [](const Node& n) { return n.stride != 0; });
+  return moves ? passes::share(passes::unroll(kernel)) : kernel;
+}
+
 }  // namespace
 
 std::string cpp_prelude() { return std::string(kConstantTrait) + kMathTrait; }
@@ -141,7 +150,7 @@ std::string glsl_kernel(const FinishedKernel& finished, Scalar scalar) {
                                   ? "// GLSL 4.50 and GLSL ES 3.00; put it below your #version line.\n"
                                     "#ifdef GL_ES\nprecision highp float;\n#endif\n\n"
                                   : "// GLSL 4.50; put it below your #version line.\n\n";
-  return head(finished, "glsl", scalar, d) + version + function(finished.kernel, d);
+  return head(finished, "glsl", scalar, d) + version + function(for_shaders(finished.kernel), d);
 }
 
 std::string glsl_es_kernel(const FinishedKernel& finished, Scalar scalar) {
@@ -149,12 +158,14 @@ std::string glsl_es_kernel(const FinishedKernel& finished, Scalar scalar) {
     throw std::invalid_argument("language glsl-es: expected scalar float, got double; GLSL ES has no double");
   const Dialect d = glsl_dialect(scalar);
   return head(finished, "glsl-es", scalar, d) +
-         "// GLSL ES 3.00; put it below your #version line.\nprecision highp float;\n\n" + function(finished.kernel, d);
+         "// GLSL ES 3.00; put it below your #version line.\nprecision highp float;\n\n" +
+         function(for_shaders(finished.kernel), d);
 }
 
 std::string hlsl_kernel(const FinishedKernel& finished, Scalar scalar) {
   const Dialect d = hlsl_dialect(scalar);
-  return head(finished, "hlsl", scalar, d) + "// HLSL, shader model 5.0.\n\n" + function(finished.kernel, d);
+  return head(finished, "hlsl", scalar, d) + "// HLSL, shader model 5.0.\n\n" +
+         function(for_shaders(finished.kernel), d);
 }
 
 std::string c99_kernel(const FinishedKernel& finished, Scalar scalar) {

@@ -30,104 +30,449 @@
 precision highp float;
 #endif
 
-const float transfer_glossy_rgb_l4_table[396] = float[396](
-    0.0004148763, 0.0010044394, 0.0038081666, 0.0023258366, 0.008283094, 0.021173088, 0.005117111, 0.016965406,
-    0.040422168, 0.07982495, 0.010557541, 0.032197848, 0.07065586, 0.12866347, 0.20569782, 0.019899223, 0.05489403,
-    0.10906019, 0.18000455, 0.2608262, 0.34088197, 0.032289334, 0.07855536, 0.13754623, 0.20017548, 0.25519294,
-    0.29136154, 0.29959744, 0.037462413, 0.077027984, 0.11310836, 0.13767917, 0.14503324, 0.13254662, 0.101038605,
-    0.054615986, 0.2820948, 0.44928658, 0.48463947, 0.42128763, 0.2810407, 0.09177257, -0.11328515, -0.2996646,
-    -0.43667284, 0.18833628, 0.3872458, 0.56863415, 0.6921599, 0.72913134, 0.66635686, 0.5079554, 0.2745731,
-    0.077953346, 0.18964942, 0.33206597, 0.48326635, 0.61609024, 0.703409, 0.7232922, 0.029781291, 0.08215472,
-    0.16322011, 0.26939586, 0.390354, 0.5101659, 0.003419144, 0.0113359215, 0.027009228, 0.053337324, 0.000963393,
-    0.0034309698, 0.00877018, 0.00019979542, 0.00075749145, 0.0005526782, 0.0010417072, 0.0028736552, 0.0016903188,
-    0.0041123056, 0.007200427, 0.0019611253, 0.0040323487, 0.0059211254, 0.007207386, 0.01476742, 0.023519766,
-    0.025370458, 0.022054045, 0.01471224, 0.0098592425, 0.020271985, 0.029767508, 0.036233976, 0.0040807906,
-    0.009927984, 0.017383369, 0.001559025, 0.004300729,
-    0.031025782, 0.04380285, 0.13342534, 0.05914694, 0.16923471, 0.33121762, 0.07588438, 0.20213224, 0.36566418,
-    0.50944054, 0.091298744, 0.22370344, 0.36830604, 0.4580584, 0.43075797, 0.10034891, 0.22240545, 0.32550442,
-    0.34765345, 0.25479138, 0.06627014, 0.094953306, 0.18559687, 0.23193592, 0.19616526, 0.08054103, -0.06930773,
-    -0.18531999, 0.06424233, 0.10612503, 0.10389718, 0.05332319, -0.0229562, -0.087349035, -0.10717587, -0.07210837,
-    0.2820948, 0.36096677, 0.20101811, -0.07473095, -0.31182307, -0.38347986, -0.25233507, 0.011950658, 0.2701098,
-    0.322968, 0.53352654, 0.5223264, 0.2680738, -0.115408614, -0.43913326, -0.5388095, -0.36251327, 0.22923756,
-    0.44807047, 0.55994284, 0.47358483, 0.19444324, -0.16732366, -0.44740203, 0.15018275, 0.3328533, 0.4871518,
-    0.52030015, 0.38132226, 0.09918028, 0.050704323, 0.13506044, 0.24432899, 0.3403973, 0.024499465, 0.07009931,
-    0.13719483, 0.008712929, 0.026539952, 0.008062943, 0.008862197, 0.01964148, 0.008385691, 0.01639077,
-    0.020483151, 0.0056734867, 0.009372309, 0.009175559, 0.004709176, 0.024912873, 0.03187836, 0.01775268,
-    -0.0065997764, -0.027538292, 0.028522544, 0.047117777, 0.04612865, 0.023674626, 0.020244848, 0.039570823,
-    0.049450703, 0.013263215, 0.02939555,
-    0.2583599, 0.2798607, 0.55147535, 0.28994063, 0.53667873, 0.54812324, 0.28540817, 0.49181047, 0.44435632,
-    0.10184811, 0.2634608, 0.41761112, 0.32127583, -0.006397938, -0.31167388, 0.222178, 0.3185532, 0.19448324,
-    -0.08081215, -0.27186322, -0.20095915, 0.1613005, 0.20395972, 0.083658546, -0.10646203, -0.18901, -0.08320572,
-    0.10520387, 0.08373058, 0.08948058, 0.011126636, -0.07677467, -0.08554973, -0.0062359856, 0.079299286,
-    0.082472615, 0.2820948, 0.23351534, -0.09927367, -0.3313639, -0.21435772, 0.12844254, 0.337033, 0.19276847,
-    -0.153338, 0.42094204, 0.44984925, 0.055937372, -0.38597232, -0.4300875, -0.03135042, 0.3986644, 0.4146178,
-    0.38941383, 0.49240232, 0.20196961, -0.25702208, -0.45631048, -0.20087638, 0.2539846, 0.33251286, 0.4767486,
-    0.29106474, -0.12094393, -0.40687206, -0.3007566, 0.19070363, 0.32861724, 0.2969094, 0.06805273, 0.12009734,
-    0.2222996, 0.22704008, 0.055667754, 0.10969526, 0.030214973, 0.02548046, 0.036533244, 0.01849873, 0.023391098,
-    0.009594372, 0.009602632, 0.010262071, 0.001276057, -0.008804895, 0.03235201, 0.026780682, -0.01138519,
-    -0.03800243, -0.024583591, 0.04827569, 0.051590912, 0.0064151715, -0.044265196, 0.044659883, 0.05647111,
-    0.023162862, 0.038134202, 0.054675862,
-    0.65248257, 0.6294957, 0.42897776, 0.5808539, 0.37181774, -0.26714262, 0.5092502, 0.3034733, -0.2596261,
-    -0.38196117, 0.41868547, 0.2295101, -0.23612362, -0.30351302, 0.10826381, 0.31447053, 0.1559261, -0.1966399,
-    -0.21905594, 0.108717725, 0.25231788, 0.20333944, 0.088917695, -0.14242384, -0.13536932, 0.09136859, 0.16473836,
-    -0.03435427, 0.09401065, 0.034743983, -0.07592771, -0.059760332, 0.0551862, 0.07791173, -0.029074432,
-    -0.08743672, 0.2820948, 0.08075571, -0.2895448, -0.17661023, 0.2334268, 0.2538884, -0.15015383, -0.30363157,
-    0.050072446, 0.47262344, 0.1746698, -0.3817144, -0.30043545, 0.27743977, 0.3916887, -0.14616704, -0.4395741,
-    0.49090484, 0.2146663, -0.34384158, -0.32681045, 0.2205833, 0.3977136, -0.082938544, 0.47063842, 0.23335989,
-    -0.2942924, -0.3278404, 0.16270758, 0.37762037, 0.34027013, 0.20277438, -0.1734766, -0.2552183, 0.24059756,
-    0.15401195, -0.11065409, 0.12521447, 0.08532898, 0.053853236, 0.040448636, 0.020055925, 0.026154447, 0.011437,
-    -0.018319204, 0.012092079, 0.00446893, -0.009766169, -0.007686646, 0.03628432, 0.010387168, -0.037242573,
-    -0.022716414, 0.03002442, 0.060790986, 0.022466827, -0.049097847, -0.038643382, 0.06314242, 0.027611362,
-    -0.04422647, 0.060535662, 0.030015813
-);
-
 void transfer_glossy_rgb_l4(float visibility[81], float samples[396], float lobe[5], float x, float y, float z, out float rgb[3]) {
-    const float a_2_0 = 1.5;          // 3/2
-    const float b_2_0 = 0.5;          // 1/2
-    const float a_3_0 = 2.5;          // 5/2
-    const float a_4_0 = 0.14285715;   // 1/7
-    const float a_4_1 = 5.533986;     // 7/4 sqrt(10)
-    const float b_4_1 = 2.3717082;    // 3/4 sqrt(10)
-    const float b_4_0 = 0.42857143;   // 3/7
-    const float k_2_1 = 1.7320508;    // sqrt(3)
-    const float a_3_1 = 3.0618622;    // 5/4 sqrt(6)
-    const float b_3_1 = 0.61237246;   // 1/4 sqrt(6)
-    const float k_2_2 = 0.8660254;    // 1/2 sqrt(3)
-    const float k_3_2 = 1.9364917;    // 1/2 sqrt(15)
-    const float a_4_2 = 3.913119;     // 7/4 sqrt(5)
-    const float b_4_2 = 0.559017;     // 1/4 sqrt(5)
-    const float k_3_3 = 0.7905694;    // 1/4 sqrt(10)
-    const float k_4_3 = 2.09165;      // 1/4 sqrt(70)
-    const float k_4_4 = 0.73951;      // 1/8 sqrt(35)
-    const float k     = 5.8284273;    // cos(2 pi/16)^2 / cos(6 pi/16)^2
-    const float k_2   = 0.41421357;   // cos(6 pi/16) / cos(2 pi/16)
-    const float k_3   = 0.84775907;   // cos(6 pi/32) / cos(2 pi/32)
-    const float k_4   = 0.23463313;   // cos(14 pi/32) / cos(6 pi/32)
-    const float k_5   = 1.7653669;    // cos(2 pi/32) / cos(10 pi/32)
-    const float k_6   = 2.847759;     // cos(10 pi/32) / cos(14 pi/32)
-    const float k_7   = 0.56645447;   // cos(10 pi/32) / cos(2 pi/32)
-    const float k_8   = 1.1795805;    // cos(2 pi/32) / cos(6 pi/32)
-    const float k_9   = 0.3511533;    // cos(14 pi/32) / cos(10 pi/32)
-    const float k_10  = 4.2619724;    // cos(6 pi/32) / cos(14 pi/32)
-    const float k_11  = 0.19891237;   // cos(14 pi/32) / cos(2 pi/32)
-    const float k_12  = 0.6681786;    // cos(10 pi/32) / cos(6 pi/32)
-    const float k_13  = 1.4966058;    // cos(6 pi/32) / cos(10 pi/32)
-    const float k_14  = 5.0273395;    // cos(2 pi/32) / cos(14 pi/32)
-    const float k_15  = 2.4142137;    // cos(2 pi/16) / cos(6 pi/16)
-    const float k_16  = 0.2820948;    // 1/2 sqrt(1/pi)
-    const float k_17  = 0.48860252;   // 1/2 sqrt(3/pi)
-    const float k_18  = 0.63078314;   // 1/2 sqrt(5/pi)
-    const float k_19  = 0.7463527;    // 1/2 sqrt(7/pi)
-    const float k_20  = 0.8462844;    // 3/2 sqrt(1/pi)
-    const float k_21  = 0.9356026;    // 1/2 sqrt(11/pi)
-    const float k_22  = 1.0171072;    // 1/2 sqrt(13/pi)
-    const float k_23  = 1.0925485;    // 1/2 sqrt(15/pi)
-    const float k_24  = 1.1631067;    // 1/2 sqrt(17/pi)
-    const float k_25  = 0.039387863;  // pi^(1/2) w(pole)
-    const float k_26  = 0.06822178;   // sqrt(3) pi^(1/2) w(pole)
-    const float k_27  = 0.08807394;   // sqrt(5) pi^(1/2) w(pole)
-    const float k_28  = 0.10421049;   // sqrt(7) pi^(1/2) w(pole)
-    const float k_29  = 0.11816359;   // 3 pi^(1/2) w(pole)
+    const float a_2_0 = 1.5;            // 3/2
+    const float b_2_0 = 0.5;            // 1/2
+    const float a_3_0 = 2.5;            // 5/2
+    const float a_4_0 = 0.14285715;     // 1/7
+    const float a_4_1 = 5.533986;       // 7/4 sqrt(10)
+    const float b_4_1 = 2.3717082;      // 3/4 sqrt(10)
+    const float b_4_0 = 0.42857143;     // 3/7
+    const float k_2_1 = 1.7320508;      // sqrt(3)
+    const float a_3_1 = 3.0618622;      // 5/4 sqrt(6)
+    const float b_3_1 = 0.61237246;     // 1/4 sqrt(6)
+    const float k_2_2 = 0.8660254;      // 1/2 sqrt(3)
+    const float k_3_2 = 1.9364917;      // 1/2 sqrt(15)
+    const float a_4_2 = 3.913119;       // 7/4 sqrt(5)
+    const float b_4_2 = 0.559017;       // 1/4 sqrt(5)
+    const float k_3_3 = 0.7905694;      // 1/4 sqrt(10)
+    const float k_4_3 = 2.09165;        // 1/4 sqrt(70)
+    const float k_4_4 = 0.73951;        // 1/8 sqrt(35)
+    const float k     = 5.8284273;      // cos(2 pi/16)^2 / cos(6 pi/16)^2
+    const float k_2   = 0.41421357;     // cos(6 pi/16) / cos(2 pi/16)
+    const float k_3   = 0.84775907;     // cos(6 pi/32) / cos(2 pi/32)
+    const float k_4   = 0.23463313;     // cos(14 pi/32) / cos(6 pi/32)
+    const float k_5   = 1.7653669;      // cos(2 pi/32) / cos(10 pi/32)
+    const float k_6   = 2.847759;       // cos(10 pi/32) / cos(14 pi/32)
+    const float k_7   = 0.56645447;     // cos(10 pi/32) / cos(2 pi/32)
+    const float k_8   = 1.1795805;      // cos(2 pi/32) / cos(6 pi/32)
+    const float k_9   = 0.3511533;      // cos(14 pi/32) / cos(10 pi/32)
+    const float k_10  = 4.2619724;      // cos(6 pi/32) / cos(14 pi/32)
+    const float k_11  = 0.19891237;     // cos(14 pi/32) / cos(2 pi/32)
+    const float k_12  = 0.6681786;      // cos(10 pi/32) / cos(6 pi/32)
+    const float k_13  = 1.4966058;      // cos(6 pi/32) / cos(10 pi/32)
+    const float k_14  = 5.0273395;      // cos(2 pi/32) / cos(14 pi/32)
+    const float k_15  = 2.4142137;      // cos(2 pi/16) / cos(6 pi/16)
+    const float k_16  = 0.2820948;      // 1/2 sqrt(1/pi)
+    const float k_17  = 0.48860252;     // 1/2 sqrt(3/pi)
+    const float k_18  = 0.63078314;     // 1/2 sqrt(5/pi)
+    const float k_19  = 0.7463527;      // 1/2 sqrt(7/pi)
+    const float k_20  = 0.8462844;      // 3/2 sqrt(1/pi)
+    const float k_21  = 0.9356026;      // 1/2 sqrt(11/pi)
+    const float k_22  = 1.0171072;      // 1/2 sqrt(13/pi)
+    const float k_23  = 1.0925485;      // 1/2 sqrt(15/pi)
+    const float k_24  = 1.1631067;      // 1/2 sqrt(17/pi)
+    const float k_25  = 0.039387863;    // pi^(1/2) w(pole)
+    const float k_26  = 0.06822178;     // sqrt(3) pi^(1/2) w(pole)
+    const float k_27  = 0.08807394;     // sqrt(5) pi^(1/2) w(pole)
+    const float k_28  = 0.10421049;     // sqrt(7) pi^(1/2) w(pole)
+    const float k_29  = 0.11816359;     // 3 pi^(1/2) w(pole)
+    const float k_30  = 0.0004148763;   // theta_8_8(z1)
+    const float k_31  = 0.0010044394;   // cos(2 pi/32) theta_7_7(z1)
+    const float k_32  = 0.0038081666;   // cos(2 pi/32) theta_8_7(z1)
+    const float k_33  = 0.0023258366;   // cos(2 pi/16) theta_6_6(z1)
+    const float k_34  = 0.008283094;    // cos(2 pi/16) theta_7_6(z1)
+    const float k_35  = 0.021173088;    // cos(2 pi/16) theta_8_6(z1)
+    const float k_36  = 0.005117111;    // cos(6 pi/32) theta_5_5(z1)
+    const float k_37  = 0.016965406;    // cos(6 pi/32) theta_6_5(z1)
+    const float k_38  = 0.040422168;    // cos(6 pi/32) theta_7_5(z1)
+    const float k_39  = 0.07982495;     // cos(6 pi/32) theta_8_5(z1)
+    const float k_40  = 0.010557541;    // 1/2 sqrt(2) theta_4_4(z1)
+    const float k_41  = 0.032197848;    // 1/2 sqrt(2) theta_5_4(z1)
+    const float k_42  = 0.07065586;     // 1/2 sqrt(2) theta_6_4(z1)
+    const float k_43  = 0.12866347;     // 1/2 sqrt(2) theta_7_4(z1)
+    const float k_44  = 0.20569782;     // 1/2 sqrt(2) theta_8_4(z1)
+    const float k_45  = 0.019899223;    // cos(10 pi/32) theta_3_3(z1)
+    const float k_46  = 0.05489403;     // cos(10 pi/32) theta_4_3(z1)
+    const float k_47  = 0.10906019;     // cos(10 pi/32) theta_5_3(z1)
+    const float k_48  = 0.18000455;     // cos(10 pi/32) theta_6_3(z1)
+    const float k_49  = 0.2608262;      // cos(10 pi/32) theta_7_3(z1)
+    const float k_50  = 0.34088197;     // cos(10 pi/32) theta_8_3(z1)
+    const float k_51  = 0.032289334;    // cos(6 pi/16) theta_2_2(z1)
+    const float k_52  = 0.07855536;     // cos(6 pi/16) theta_3_2(z1)
+    const float k_53  = 0.13754623;     // cos(6 pi/16) theta_4_2(z1)
+    const float k_54  = 0.20017548;     // cos(6 pi/16) theta_5_2(z1)
+    const float k_55  = 0.25519294;     // cos(6 pi/16) theta_6_2(z1)
+    const float k_56  = 0.29136154;     // cos(6 pi/16) theta_7_2(z1)
+    const float k_57  = 0.29959744;     // cos(6 pi/16) theta_8_2(z1)
+    const float k_58  = 0.037462413;    // cos(14 pi/32) theta_1_1(z1)
+    const float k_59  = 0.077027984;    // cos(14 pi/32) theta_2_1(z1)
+    const float k_60  = 0.11310836;     // cos(14 pi/32) theta_3_1(z1)
+    const float k_61  = 0.13767917;     // cos(14 pi/32) theta_4_1(z1)
+    const float k_62  = 0.14503324;     // cos(14 pi/32) theta_5_1(z1)
+    const float k_63  = 0.13254662;     // cos(14 pi/32) theta_6_1(z1)
+    const float k_64  = 0.101038605;    // cos(14 pi/32) theta_7_1(z1)
+    const float k_65  = 0.054615986;    // cos(14 pi/32) theta_8_1(z1)
+    const float k_66  = 0.2820948;      // theta_0_0(z1)
+    const float k_67  = 0.44928658;     // theta_1_0(z1)
+    const float k_68  = 0.48463947;     // theta_2_0(z1)
+    const float k_69  = 0.42128763;     // theta_3_0(z1)
+    const float k_70  = 0.2810407;      // theta_4_0(z1)
+    const float k_71  = 0.09177257;     // theta_5_0(z1)
+    const float k_72  = -0.11328515;    // theta_6_0(z1)
+    const float k_73  = -0.2996646;     // theta_7_0(z1)
+    const float k_74  = -0.43667284;    // theta_8_0(z1)
+    const float k_75  = 0.18833628;     // cos(2 pi/32) theta_1_1(z1)
+    const float k_76  = 0.3872458;      // cos(2 pi/32) theta_2_1(z1)
+    const float k_77  = 0.56863415;     // cos(2 pi/32) theta_3_1(z1)
+    const float k_78  = 0.6921599;      // cos(2 pi/32) theta_4_1(z1)
+    const float k_79  = 0.72913134;     // cos(2 pi/32) theta_5_1(z1)
+    const float k_80  = 0.66635686;     // cos(2 pi/32) theta_6_1(z1)
+    const float k_81  = 0.5079554;      // cos(2 pi/32) theta_7_1(z1)
+    const float k_82  = 0.2745731;      // cos(2 pi/32) theta_8_1(z1)
+    const float k_83  = 0.077953346;    // cos(2 pi/16) theta_2_2(z1)
+    const float k_84  = 0.18964942;     // cos(2 pi/16) theta_3_2(z1)
+    const float k_85  = 0.33206597;     // cos(2 pi/16) theta_4_2(z1)
+    const float k_86  = 0.48326635;     // cos(2 pi/16) theta_5_2(z1)
+    const float k_87  = 0.61609024;     // cos(2 pi/16) theta_6_2(z1)
+    const float k_88  = 0.703409;       // cos(2 pi/16) theta_7_2(z1)
+    const float k_89  = 0.7232922;      // cos(2 pi/16) theta_8_2(z1)
+    const float k_90  = 0.029781291;    // cos(6 pi/32) theta_3_3(z1)
+    const float k_91  = 0.08215472;     // cos(6 pi/32) theta_4_3(z1)
+    const float k_92  = 0.16322011;     // cos(6 pi/32) theta_5_3(z1)
+    const float k_93  = 0.26939586;     // cos(6 pi/32) theta_6_3(z1)
+    const float k_94  = 0.390354;       // cos(6 pi/32) theta_7_3(z1)
+    const float k_95  = 0.5101659;      // cos(6 pi/32) theta_8_3(z1)
+    const float k_96  = 0.003419144;    // cos(10 pi/32) theta_5_5(z1)
+    const float k_97  = 0.0113359215;   // cos(10 pi/32) theta_6_5(z1)
+    const float k_98  = 0.027009228;    // cos(10 pi/32) theta_7_5(z1)
+    const float k_99  = 0.053337324;    // cos(10 pi/32) theta_8_5(z1)
+    const float k_100 = 0.000963393;    // cos(6 pi/16) theta_6_6(z1)
+    const float k_101 = 0.0034309698;   // cos(6 pi/16) theta_7_6(z1)
+    const float k_102 = 0.00877018;     // cos(6 pi/16) theta_8_6(z1)
+    const float k_103 = 0.00019979542;  // cos(14 pi/32) theta_7_7(z1)
+    const float k_104 = 0.00075749145;  // cos(14 pi/32) theta_8_7(z1)
+    const float k_105 = 0.0005526782;   // 1/16 sqrt(2) pi theta_4_4(z1) w(z1)
+    const float k_106 = 0.0010417072;   // 1/8 pi cos(10 pi/32) theta_3_3(z1) w(z1)
+    const float k_107 = 0.0028736552;   // 1/8 pi cos(10 pi/32) theta_4_3(z1) w(z1)
+    const float k_108 = 0.0016903188;   // 1/8 pi cos(6 pi/16) theta_2_2(z1) w(z1)
+    const float k_109 = 0.0041123056;   // 1/8 pi cos(6 pi/16) theta_3_2(z1) w(z1)
+    const float k_110 = 0.007200427;    // 1/8 pi cos(6 pi/16) theta_4_2(z1) w(z1)
+    const float k_111 = 0.0019611253;   // 1/8 pi cos(14 pi/32) theta_1_1(z1) w(z1)
+    const float k_112 = 0.0040323487;   // 1/8 pi cos(14 pi/32) theta_2_1(z1) w(z1)
+    const float k_113 = 0.0059211254;   // 1/8 pi cos(14 pi/32) theta_3_1(z1) w(z1)
+    const float k_114 = 0.007207386;    // 1/8 pi cos(14 pi/32) theta_4_1(z1) w(z1)
+    const float k_115 = 0.01476742;     // 1/8 pi theta_0_0(z1) w(z1)
+    const float k_116 = 0.023519766;    // 1/8 pi theta_1_0(z1) w(z1)
+    const float k_117 = 0.025370458;    // 1/8 pi theta_2_0(z1) w(z1)
+    const float k_118 = 0.022054045;    // 1/8 pi theta_3_0(z1) w(z1)
+    const float k_119 = 0.01471224;     // 1/8 pi theta_4_0(z1) w(z1)
+    const float k_120 = 0.0098592425;   // 1/8 pi cos(2 pi/32) theta_1_1(z1) w(z1)
+    const float k_121 = 0.020271985;    // 1/8 pi cos(2 pi/32) theta_2_1(z1) w(z1)
+    const float k_122 = 0.029767508;    // 1/8 pi cos(2 pi/32) theta_3_1(z1) w(z1)
+    const float k_123 = 0.036233976;    // 1/8 pi cos(2 pi/32) theta_4_1(z1) w(z1)
+    const float k_124 = 0.0040807906;   // 1/8 pi cos(2 pi/16) theta_2_2(z1) w(z1)
+    const float k_125 = 0.009927984;    // 1/8 pi cos(2 pi/16) theta_3_2(z1) w(z1)
+    const float k_126 = 0.017383369;    // 1/8 pi cos(2 pi/16) theta_4_2(z1) w(z1)
+    const float k_127 = 0.001559025;    // 1/8 pi cos(6 pi/32) theta_3_3(z1) w(z1)
+    const float k_128 = 0.004300729;    // 1/8 pi cos(6 pi/32) theta_4_3(z1) w(z1)
+    const float k_129 = 0.031025782;    // theta_8_8(z2)
+    const float k_130 = 0.04380285;     // cos(2 pi/32) theta_7_7(z2)
+    const float k_131 = 0.13342534;     // cos(2 pi/32) theta_8_7(z2)
+    const float k_132 = 0.05914694;     // cos(2 pi/16) theta_6_6(z2)
+    const float k_133 = 0.16923471;     // cos(2 pi/16) theta_7_6(z2)
+    const float k_134 = 0.33121762;     // cos(2 pi/16) theta_8_6(z2)
+    const float k_135 = 0.07588438;     // cos(6 pi/32) theta_5_5(z2)
+    const float k_136 = 0.20213224;     // cos(6 pi/32) theta_6_5(z2)
+    const float k_137 = 0.36566418;     // cos(6 pi/32) theta_7_5(z2)
+    const float k_138 = 0.50944054;     // cos(6 pi/32) theta_8_5(z2)
+    const float k_139 = 0.091298744;    // 1/2 sqrt(2) theta_4_4(z2)
+    const float k_140 = 0.22370344;     // 1/2 sqrt(2) theta_5_4(z2)
+    const float k_141 = 0.36830604;     // 1/2 sqrt(2) theta_6_4(z2)
+    const float k_142 = 0.4580584;      // 1/2 sqrt(2) theta_7_4(z2)
+    const float k_143 = 0.43075797;     // 1/2 sqrt(2) theta_8_4(z2)
+    const float k_144 = 0.10034891;     // cos(10 pi/32) theta_3_3(z2)
+    const float k_145 = 0.22240545;     // cos(10 pi/32) theta_4_3(z2)
+    const float k_146 = 0.32550442;     // cos(10 pi/32) theta_5_3(z2)
+    const float k_147 = 0.34765345;     // cos(10 pi/32) theta_6_3(z2)
+    const float k_148 = 0.25479138;     // cos(10 pi/32) theta_7_3(z2)
+    const float k_149 = 0.06627014;     // cos(10 pi/32) theta_8_3(z2)
+    const float k_150 = 0.094953306;    // cos(6 pi/16) theta_2_2(z2)
+    const float k_151 = 0.18559687;     // cos(6 pi/16) theta_3_2(z2)
+    const float k_152 = 0.23193592;     // cos(6 pi/16) theta_4_2(z2)
+    const float k_153 = 0.19616526;     // cos(6 pi/16) theta_5_2(z2)
+    const float k_154 = 0.08054103;     // cos(6 pi/16) theta_6_2(z2)
+    const float k_155 = -0.06930773;    // cos(6 pi/16) theta_7_2(z2)
+    const float k_156 = -0.18531999;    // cos(6 pi/16) theta_8_2(z2)
+    const float k_157 = 0.06424233;     // cos(14 pi/32) theta_1_1(z2)
+    const float k_158 = 0.10612503;     // cos(14 pi/32) theta_2_1(z2)
+    const float k_159 = 0.10389718;     // cos(14 pi/32) theta_3_1(z2)
+    const float k_160 = 0.05332319;     // cos(14 pi/32) theta_4_1(z2)
+    const float k_161 = -0.0229562;     // cos(14 pi/32) theta_5_1(z2)
+    const float k_162 = -0.087349035;   // cos(14 pi/32) theta_6_1(z2)
+    const float k_163 = -0.10717587;    // cos(14 pi/32) theta_7_1(z2)
+    const float k_164 = -0.07210837;    // cos(14 pi/32) theta_8_1(z2)
+    const float k_165 = 0.2820948;      // theta_0_0(z2)
+    const float k_166 = 0.36096677;     // theta_1_0(z2)
+    const float k_167 = 0.20101811;     // theta_2_0(z2)
+    const float k_168 = -0.07473095;    // theta_3_0(z2)
+    const float k_169 = -0.31182307;    // theta_4_0(z2)
+    const float k_170 = -0.38347986;    // theta_5_0(z2)
+    const float k_171 = -0.25233507;    // theta_6_0(z2)
+    const float k_172 = 0.011950658;    // theta_7_0(z2)
+    const float k_173 = 0.2701098;      // theta_8_0(z2)
+    const float k_174 = 0.322968;       // cos(2 pi/32) theta_1_1(z2)
+    const float k_175 = 0.53352654;     // cos(2 pi/32) theta_2_1(z2)
+    const float k_176 = 0.5223264;      // cos(2 pi/32) theta_3_1(z2)
+    const float k_177 = 0.2680738;      // cos(2 pi/32) theta_4_1(z2)
+    const float k_178 = -0.115408614;   // cos(2 pi/32) theta_5_1(z2)
+    const float k_179 = -0.43913326;    // cos(2 pi/32) theta_6_1(z2)
+    const float k_180 = -0.5388095;     // cos(2 pi/32) theta_7_1(z2)
+    const float k_181 = -0.36251327;    // cos(2 pi/32) theta_8_1(z2)
+    const float k_182 = 0.22923756;     // cos(2 pi/16) theta_2_2(z2)
+    const float k_183 = 0.44807047;     // cos(2 pi/16) theta_3_2(z2)
+    const float k_184 = 0.55994284;     // cos(2 pi/16) theta_4_2(z2)
+    const float k_185 = 0.47358483;     // cos(2 pi/16) theta_5_2(z2)
+    const float k_186 = 0.19444324;     // cos(2 pi/16) theta_6_2(z2)
+    const float k_187 = -0.16732366;    // cos(2 pi/16) theta_7_2(z2)
+    const float k_188 = -0.44740203;    // cos(2 pi/16) theta_8_2(z2)
+    const float k_189 = 0.15018275;     // cos(6 pi/32) theta_3_3(z2)
+    const float k_190 = 0.3328533;      // cos(6 pi/32) theta_4_3(z2)
+    const float k_191 = 0.4871518;      // cos(6 pi/32) theta_5_3(z2)
+    const float k_192 = 0.52030015;     // cos(6 pi/32) theta_6_3(z2)
+    const float k_193 = 0.38132226;     // cos(6 pi/32) theta_7_3(z2)
+    const float k_194 = 0.09918028;     // cos(6 pi/32) theta_8_3(z2)
+    const float k_195 = 0.050704323;    // cos(10 pi/32) theta_5_5(z2)
+    const float k_196 = 0.13506044;     // cos(10 pi/32) theta_6_5(z2)
+    const float k_197 = 0.24432899;     // cos(10 pi/32) theta_7_5(z2)
+    const float k_198 = 0.3403973;      // cos(10 pi/32) theta_8_5(z2)
+    const float k_199 = 0.024499465;    // cos(6 pi/16) theta_6_6(z2)
+    const float k_200 = 0.07009931;     // cos(6 pi/16) theta_7_6(z2)
+    const float k_201 = 0.13719483;     // cos(6 pi/16) theta_8_6(z2)
+    const float k_202 = 0.008712929;    // cos(14 pi/32) theta_7_7(z2)
+    const float k_203 = 0.026539952;    // cos(14 pi/32) theta_8_7(z2)
+    const float k_204 = 0.008062943;    // 1/16 sqrt(2) pi theta_4_4(z2) w(z2)
+    const float k_205 = 0.008862197;    // 1/8 pi cos(10 pi/32) theta_3_3(z2) w(z2)
+    const float k_206 = 0.01964148;     // 1/8 pi cos(10 pi/32) theta_4_3(z2) w(z2)
+    const float k_207 = 0.008385691;    // 1/8 pi cos(6 pi/16) theta_2_2(z2) w(z2)
+    const float k_208 = 0.01639077;     // 1/8 pi cos(6 pi/16) theta_3_2(z2) w(z2)
+    const float k_209 = 0.020483151;    // 1/8 pi cos(6 pi/16) theta_4_2(z2) w(z2)
+    const float k_210 = 0.0056734867;   // 1/8 pi cos(14 pi/32) theta_1_1(z2) w(z2)
+    const float k_211 = 0.009372309;    // 1/8 pi cos(14 pi/32) theta_2_1(z2) w(z2)
+    const float k_212 = 0.009175559;    // 1/8 pi cos(14 pi/32) theta_3_1(z2) w(z2)
+    const float k_213 = 0.004709176;    // 1/8 pi cos(14 pi/32) theta_4_1(z2) w(z2)
+    const float k_214 = 0.024912873;    // 1/8 pi theta_0_0(z2) w(z2)
+    const float k_215 = 0.03187836;     // 1/8 pi theta_1_0(z2) w(z2)
+    const float k_216 = 0.01775268;     // 1/8 pi theta_2_0(z2) w(z2)
+    const float k_217 = -0.0065997764;  // 1/8 pi theta_3_0(z2) w(z2)
+    const float k_218 = -0.027538292;   // 1/8 pi theta_4_0(z2) w(z2)
+    const float k_219 = 0.028522544;    // 1/8 pi cos(2 pi/32) theta_1_1(z2) w(z2)
+    const float k_220 = 0.047117777;    // 1/8 pi cos(2 pi/32) theta_2_1(z2) w(z2)
+    const float k_221 = 0.04612865;     // 1/8 pi cos(2 pi/32) theta_3_1(z2) w(z2)
+    const float k_222 = 0.023674626;    // 1/8 pi cos(2 pi/32) theta_4_1(z2) w(z2)
+    const float k_223 = 0.020244848;    // 1/8 pi cos(2 pi/16) theta_2_2(z2) w(z2)
+    const float k_224 = 0.039570823;    // 1/8 pi cos(2 pi/16) theta_3_2(z2) w(z2)
+    const float k_225 = 0.049450703;    // 1/8 pi cos(2 pi/16) theta_4_2(z2) w(z2)
+    const float k_226 = 0.013263215;    // 1/8 pi cos(6 pi/32) theta_3_3(z2) w(z2)
+    const float k_227 = 0.02939555;     // 1/8 pi cos(6 pi/32) theta_4_3(z2) w(z2)
+    const float k_228 = 0.2583599;      // theta_8_8(z3)
+    const float k_229 = 0.2798607;      // cos(2 pi/32) theta_7_7(z3)
+    const float k_230 = 0.55147535;     // cos(2 pi/32) theta_8_7(z3)
+    const float k_231 = 0.28994063;     // cos(2 pi/16) theta_6_6(z3)
+    const float k_232 = 0.53667873;     // cos(2 pi/16) theta_7_6(z3)
+    const float k_233 = 0.54812324;     // cos(2 pi/16) theta_8_6(z3)
+    const float k_234 = 0.28540817;     // cos(6 pi/32) theta_5_5(z3)
+    const float k_235 = 0.49181047;     // cos(6 pi/32) theta_6_5(z3)
+    const float k_236 = 0.44435632;     // cos(6 pi/32) theta_7_5(z3)
+    const float k_237 = 0.10184811;     // cos(6 pi/32) theta_8_5(z3)
+    const float k_238 = 0.2634608;      // 1/2 sqrt(2) theta_4_4(z3)
+    const float k_239 = 0.41761112;     // 1/2 sqrt(2) theta_5_4(z3)
+    const float k_240 = 0.32127583;     // 1/2 sqrt(2) theta_6_4(z3)
+    const float k_241 = -0.006397938;   // 1/2 sqrt(2) theta_7_4(z3)
+    const float k_242 = -0.31167388;    // 1/2 sqrt(2) theta_8_4(z3)
+    const float k_243 = 0.222178;       // cos(10 pi/32) theta_3_3(z3)
+    const float k_244 = 0.3185532;      // cos(10 pi/32) theta_4_3(z3)
+    const float k_245 = 0.19448324;     // cos(10 pi/32) theta_5_3(z3)
+    const float k_246 = -0.08081215;    // cos(10 pi/32) theta_6_3(z3)
+    const float k_247 = -0.27186322;    // cos(10 pi/32) theta_7_3(z3)
+    const float k_248 = -0.20095915;    // cos(10 pi/32) theta_8_3(z3)
+    const float k_249 = 0.1613005;      // cos(6 pi/16) theta_2_2(z3)
+    const float k_250 = 0.20395972;     // cos(6 pi/16) theta_3_2(z3)
+    const float k_251 = 0.083658546;    // cos(6 pi/16) theta_4_2(z3)
+    const float k_252 = -0.10646203;    // cos(6 pi/16) theta_5_2(z3)
+    const float k_253 = -0.18901;       // cos(6 pi/16) theta_6_2(z3)
+    const float k_254 = -0.08320572;    // cos(6 pi/16) theta_7_2(z3)
+    const float k_255 = 0.10520387;     // cos(6 pi/16) theta_8_2(z3)
+    const float k_256 = 0.08373058;     // cos(14 pi/32) theta_1_1(z3)
+    const float k_257 = 0.08948058;     // cos(14 pi/32) theta_2_1(z3)
+    const float k_258 = 0.011126636;    // cos(14 pi/32) theta_3_1(z3)
+    const float k_259 = -0.07677467;    // cos(14 pi/32) theta_4_1(z3)
+    const float k_260 = -0.08554973;    // cos(14 pi/32) theta_5_1(z3)
+    const float k_261 = -0.0062359856;  // cos(14 pi/32) theta_6_1(z3)
+    const float k_262 = 0.079299286;    // cos(14 pi/32) theta_7_1(z3)
+    const float k_263 = 0.082472615;    // cos(14 pi/32) theta_8_1(z3)
+    const float k_264 = 0.2820948;      // theta_0_0(z3)
+    const float k_265 = 0.23351534;     // theta_1_0(z3)
+    const float k_266 = -0.09927367;    // theta_2_0(z3)
+    const float k_267 = -0.3313639;     // theta_3_0(z3)
+    const float k_268 = -0.21435772;    // theta_4_0(z3)
+    const float k_269 = 0.12844254;     // theta_5_0(z3)
+    const float k_270 = 0.337033;       // theta_6_0(z3)
+    const float k_271 = 0.19276847;     // theta_7_0(z3)
+    const float k_272 = -0.153338;      // theta_8_0(z3)
+    const float k_273 = 0.42094204;     // cos(2 pi/32) theta_1_1(z3)
+    const float k_274 = 0.44984925;     // cos(2 pi/32) theta_2_1(z3)
+    const float k_275 = 0.055937372;    // cos(2 pi/32) theta_3_1(z3)
+    const float k_276 = -0.38597232;    // cos(2 pi/32) theta_4_1(z3)
+    const float k_277 = -0.4300875;     // cos(2 pi/32) theta_5_1(z3)
+    const float k_278 = -0.03135042;    // cos(2 pi/32) theta_6_1(z3)
+    const float k_279 = 0.3986644;      // cos(2 pi/32) theta_7_1(z3)
+    const float k_280 = 0.4146178;      // cos(2 pi/32) theta_8_1(z3)
+    const float k_281 = 0.38941383;     // cos(2 pi/16) theta_2_2(z3)
+    const float k_282 = 0.49240232;     // cos(2 pi/16) theta_3_2(z3)
+    const float k_283 = 0.20196961;     // cos(2 pi/16) theta_4_2(z3)
+    const float k_284 = -0.25702208;    // cos(2 pi/16) theta_5_2(z3)
+    const float k_285 = -0.45631048;    // cos(2 pi/16) theta_6_2(z3)
+    const float k_286 = -0.20087638;    // cos(2 pi/16) theta_7_2(z3)
+    const float k_287 = 0.2539846;      // cos(2 pi/16) theta_8_2(z3)
+    const float k_288 = 0.33251286;     // cos(6 pi/32) theta_3_3(z3)
+    const float k_289 = 0.4767486;      // cos(6 pi/32) theta_4_3(z3)
+    const float k_290 = 0.29106474;     // cos(6 pi/32) theta_5_3(z3)
+    const float k_291 = -0.12094393;    // cos(6 pi/32) theta_6_3(z3)
+    const float k_292 = -0.40687206;    // cos(6 pi/32) theta_7_3(z3)
+    const float k_293 = -0.3007566;     // cos(6 pi/32) theta_8_3(z3)
+    const float k_294 = 0.19070363;     // cos(10 pi/32) theta_5_5(z3)
+    const float k_295 = 0.32861724;     // cos(10 pi/32) theta_6_5(z3)
+    const float k_296 = 0.2969094;      // cos(10 pi/32) theta_7_5(z3)
+    const float k_297 = 0.06805273;     // cos(10 pi/32) theta_8_5(z3)
+    const float k_298 = 0.12009734;     // cos(6 pi/16) theta_6_6(z3)
+    const float k_299 = 0.2222996;      // cos(6 pi/16) theta_7_6(z3)
+    const float k_300 = 0.22704008;     // cos(6 pi/16) theta_8_6(z3)
+    const float k_301 = 0.055667754;    // cos(14 pi/32) theta_7_7(z3)
+    const float k_302 = 0.10969526;     // cos(14 pi/32) theta_8_7(z3)
+    const float k_303 = 0.030214973;    // 1/16 sqrt(2) pi theta_4_4(z3) w(z3)
+    const float k_304 = 0.02548046;     // 1/8 pi cos(10 pi/32) theta_3_3(z3) w(z3)
+    const float k_305 = 0.036533244;    // 1/8 pi cos(10 pi/32) theta_4_3(z3) w(z3)
+    const float k_306 = 0.01849873;     // 1/8 pi cos(6 pi/16) theta_2_2(z3) w(z3)
+    const float k_307 = 0.023391098;    // 1/8 pi cos(6 pi/16) theta_3_2(z3) w(z3)
+    const float k_308 = 0.009594372;    // 1/8 pi cos(6 pi/16) theta_4_2(z3) w(z3)
+    const float k_309 = 0.009602632;    // 1/8 pi cos(14 pi/32) theta_1_1(z3) w(z3)
+    const float k_310 = 0.010262071;    // 1/8 pi cos(14 pi/32) theta_2_1(z3) w(z3)
+    const float k_311 = 0.001276057;    // 1/8 pi cos(14 pi/32) theta_3_1(z3) w(z3)
+    const float k_312 = -0.008804895;   // 1/8 pi cos(14 pi/32) theta_4_1(z3) w(z3)
+    const float k_313 = 0.03235201;     // 1/8 pi theta_0_0(z3) w(z3)
+    const float k_314 = 0.026780682;    // 1/8 pi theta_1_0(z3) w(z3)
+    const float k_315 = -0.01138519;    // 1/8 pi theta_2_0(z3) w(z3)
+    const float k_316 = -0.03800243;    // 1/8 pi theta_3_0(z3) w(z3)
+    const float k_317 = -0.024583591;   // 1/8 pi theta_4_0(z3) w(z3)
+    const float k_318 = 0.04827569;     // 1/8 pi cos(2 pi/32) theta_1_1(z3) w(z3)
+    const float k_319 = 0.051590912;    // 1/8 pi cos(2 pi/32) theta_2_1(z3) w(z3)
+    const float k_320 = 0.0064151715;   // 1/8 pi cos(2 pi/32) theta_3_1(z3) w(z3)
+    const float k_321 = -0.044265196;   // 1/8 pi cos(2 pi/32) theta_4_1(z3) w(z3)
+    const float k_322 = 0.044659883;    // 1/8 pi cos(2 pi/16) theta_2_2(z3) w(z3)
+    const float k_323 = 0.05647111;     // 1/8 pi cos(2 pi/16) theta_3_2(z3) w(z3)
+    const float k_324 = 0.023162862;    // 1/8 pi cos(2 pi/16) theta_4_2(z3) w(z3)
+    const float k_325 = 0.038134202;    // 1/8 pi cos(6 pi/32) theta_3_3(z3) w(z3)
+    const float k_326 = 0.054675862;    // 1/8 pi cos(6 pi/32) theta_4_3(z3) w(z3)
+    const float k_327 = 0.65248257;     // theta_8_8(z4)
+    const float k_328 = 0.6294957;      // cos(2 pi/32) theta_7_7(z4)
+    const float k_329 = 0.42897776;     // cos(2 pi/32) theta_8_7(z4)
+    const float k_330 = 0.5808539;      // cos(2 pi/16) theta_6_6(z4)
+    const float k_331 = 0.37181774;     // cos(2 pi/16) theta_7_6(z4)
+    const float k_332 = -0.26714262;    // cos(2 pi/16) theta_8_6(z4)
+    const float k_333 = 0.5092502;      // cos(6 pi/32) theta_5_5(z4)
+    const float k_334 = 0.3034733;      // cos(6 pi/32) theta_6_5(z4)
+    const float k_335 = -0.2596261;     // cos(6 pi/32) theta_7_5(z4)
+    const float k_336 = -0.38196117;    // cos(6 pi/32) theta_8_5(z4)
+    const float k_337 = 0.41868547;     // 1/2 sqrt(2) theta_4_4(z4)
+    const float k_338 = 0.2295101;      // 1/2 sqrt(2) theta_5_4(z4)
+    const float k_339 = -0.23612362;    // 1/2 sqrt(2) theta_6_4(z4)
+    const float k_340 = -0.30351302;    // 1/2 sqrt(2) theta_7_4(z4)
+    const float k_341 = 0.10826381;     // 1/2 sqrt(2) theta_8_4(z4)
+    const float k_342 = 0.31447053;     // cos(10 pi/32) theta_3_3(z4)
+    const float k_343 = 0.1559261;      // cos(10 pi/32) theta_4_3(z4)
+    const float k_344 = -0.1966399;     // cos(10 pi/32) theta_5_3(z4)
+    const float k_345 = -0.21905594;    // cos(10 pi/32) theta_6_3(z4)
+    const float k_346 = 0.108717725;    // cos(10 pi/32) theta_7_3(z4)
+    const float k_347 = 0.25231788;     // cos(10 pi/32) theta_8_3(z4)
+    const float k_348 = 0.20333944;     // cos(6 pi/16) theta_2_2(z4)
+    const float k_349 = 0.088917695;    // cos(6 pi/16) theta_3_2(z4)
+    const float k_350 = -0.14242384;    // cos(6 pi/16) theta_4_2(z4)
+    const float k_351 = -0.13536932;    // cos(6 pi/16) theta_5_2(z4)
+    const float k_352 = 0.09136859;     // cos(6 pi/16) theta_6_2(z4)
+    const float k_353 = 0.16473836;     // cos(6 pi/16) theta_7_2(z4)
+    const float k_354 = -0.03435427;    // cos(6 pi/16) theta_8_2(z4)
+    const float k_355 = 0.09401065;     // cos(14 pi/32) theta_1_1(z4)
+    const float k_356 = 0.034743983;    // cos(14 pi/32) theta_2_1(z4)
+    const float k_357 = -0.07592771;    // cos(14 pi/32) theta_3_1(z4)
+    const float k_358 = -0.059760332;   // cos(14 pi/32) theta_4_1(z4)
+    const float k_359 = 0.0551862;      // cos(14 pi/32) theta_5_1(z4)
+    const float k_360 = 0.07791173;     // cos(14 pi/32) theta_6_1(z4)
+    const float k_361 = -0.029074432;   // cos(14 pi/32) theta_7_1(z4)
+    const float k_362 = -0.08743672;    // cos(14 pi/32) theta_8_1(z4)
+    const float k_363 = 0.2820948;      // theta_0_0(z4)
+    const float k_364 = 0.08075571;     // theta_1_0(z4)
+    const float k_365 = -0.2895448;     // theta_2_0(z4)
+    const float k_366 = -0.17661023;    // theta_3_0(z4)
+    const float k_367 = 0.2334268;      // theta_4_0(z4)
+    const float k_368 = 0.2538884;      // theta_5_0(z4)
+    const float k_369 = -0.15015383;    // theta_6_0(z4)
+    const float k_370 = -0.30363157;    // theta_7_0(z4)
+    const float k_371 = 0.050072446;    // theta_8_0(z4)
+    const float k_372 = 0.47262344;     // cos(2 pi/32) theta_1_1(z4)
+    const float k_373 = 0.1746698;      // cos(2 pi/32) theta_2_1(z4)
+    const float k_374 = -0.3817144;     // cos(2 pi/32) theta_3_1(z4)
+    const float k_375 = -0.30043545;    // cos(2 pi/32) theta_4_1(z4)
+    const float k_376 = 0.27743977;     // cos(2 pi/32) theta_5_1(z4)
+    const float k_377 = 0.3916887;      // cos(2 pi/32) theta_6_1(z4)
+    const float k_378 = -0.14616704;    // cos(2 pi/32) theta_7_1(z4)
+    const float k_379 = -0.4395741;     // cos(2 pi/32) theta_8_1(z4)
+    const float k_380 = 0.49090484;     // cos(2 pi/16) theta_2_2(z4)
+    const float k_381 = 0.2146663;      // cos(2 pi/16) theta_3_2(z4)
+    const float k_382 = -0.34384158;    // cos(2 pi/16) theta_4_2(z4)
+    const float k_383 = -0.32681045;    // cos(2 pi/16) theta_5_2(z4)
+    const float k_384 = 0.2205833;      // cos(2 pi/16) theta_6_2(z4)
+    const float k_385 = 0.3977136;      // cos(2 pi/16) theta_7_2(z4)
+    const float k_386 = -0.082938544;   // cos(2 pi/16) theta_8_2(z4)
+    const float k_387 = 0.47063842;     // cos(6 pi/32) theta_3_3(z4)
+    const float k_388 = 0.23335989;     // cos(6 pi/32) theta_4_3(z4)
+    const float k_389 = -0.2942924;     // cos(6 pi/32) theta_5_3(z4)
+    const float k_390 = -0.3278404;     // cos(6 pi/32) theta_6_3(z4)
+    const float k_391 = 0.16270758;     // cos(6 pi/32) theta_7_3(z4)
+    const float k_392 = 0.37762037;     // cos(6 pi/32) theta_8_3(z4)
+    const float k_393 = 0.34027013;     // cos(10 pi/32) theta_5_5(z4)
+    const float k_394 = 0.20277438;     // cos(10 pi/32) theta_6_5(z4)
+    const float k_395 = -0.1734766;     // cos(10 pi/32) theta_7_5(z4)
+    const float k_396 = -0.2552183;     // cos(10 pi/32) theta_8_5(z4)
+    const float k_397 = 0.24059756;     // cos(6 pi/16) theta_6_6(z4)
+    const float k_398 = 0.15401195;     // cos(6 pi/16) theta_7_6(z4)
+    const float k_399 = -0.11065409;    // cos(6 pi/16) theta_8_6(z4)
+    const float k_400 = 0.12521447;     // cos(14 pi/32) theta_7_7(z4)
+    const float k_401 = 0.08532898;     // cos(14 pi/32) theta_8_7(z4)
+    const float k_402 = 0.053853236;    // 1/16 sqrt(2) pi theta_4_4(z4) w(z4)
+    const float k_403 = 0.040448636;    // 1/8 pi cos(10 pi/32) theta_3_3(z4) w(z4)
+    const float k_404 = 0.020055925;    // 1/8 pi cos(10 pi/32) theta_4_3(z4) w(z4)
+    const float k_405 = 0.026154447;    // 1/8 pi cos(6 pi/16) theta_2_2(z4) w(z4)
+    const float k_406 = 0.011437;       // 1/8 pi cos(6 pi/16) theta_3_2(z4) w(z4)
+    const float k_407 = -0.018319204;   // 1/8 pi cos(6 pi/16) theta_4_2(z4) w(z4)
+    const float k_408 = 0.012092079;    // 1/8 pi cos(14 pi/32) theta_1_1(z4) w(z4)
+    const float k_409 = 0.00446893;     // 1/8 pi cos(14 pi/32) theta_2_1(z4) w(z4)
+    const float k_410 = -0.009766169;   // 1/8 pi cos(14 pi/32) theta_3_1(z4) w(z4)
+    const float k_411 = -0.007686646;   // 1/8 pi cos(14 pi/32) theta_4_1(z4) w(z4)
+    const float k_412 = 0.03628432;     // 1/8 pi theta_0_0(z4) w(z4)
+    const float k_413 = 0.010387168;    // 1/8 pi theta_1_0(z4) w(z4)
+    const float k_414 = -0.037242573;   // 1/8 pi theta_2_0(z4) w(z4)
+    const float k_415 = -0.022716414;   // 1/8 pi theta_3_0(z4) w(z4)
+    const float k_416 = 0.03002442;     // 1/8 pi theta_4_0(z4) w(z4)
+    const float k_417 = 0.060790986;    // 1/8 pi cos(2 pi/32) theta_1_1(z4) w(z4)
+    const float k_418 = 0.022466827;    // 1/8 pi cos(2 pi/32) theta_2_1(z4) w(z4)
+    const float k_419 = -0.049097847;   // 1/8 pi cos(2 pi/32) theta_3_1(z4) w(z4)
+    const float k_420 = -0.038643382;   // 1/8 pi cos(2 pi/32) theta_4_1(z4) w(z4)
+    const float k_421 = 0.06314242;     // 1/8 pi cos(2 pi/16) theta_2_2(z4) w(z4)
+    const float k_422 = 0.027611362;    // 1/8 pi cos(2 pi/16) theta_3_2(z4) w(z4)
+    const float k_423 = -0.04422647;    // 1/8 pi cos(2 pi/16) theta_4_2(z4) w(z4)
+    const float k_424 = 0.060535662;    // 1/8 pi cos(6 pi/32) theta_3_3(z4) w(z4)
+    const float k_425 = 0.030015813;    // 1/8 pi cos(6 pi/32) theta_4_3(z4) w(z4)
 
     float z1z = lobe[1] * z;
     float z2 = z * z;
@@ -179,380 +524,1203 @@ void transfer_glossy_rgb_l4(float visibility[81], float samples[396], float lobe
     float t_6 = (t_2 - t) * (t_4 - t_3);
     float t_7 = visibility[80] * y_4_4c - visibility[64] * y_4_4s;
     float t_8 = visibility[64] * y_4_4c + visibility[80] * y_4_4s;
-    float t_9 = t_5 * samples[128] + t_6 * samples[129] + t_7 * samples[130] - t_8 * samples[131];
-    float t_10 = t_5 * samples[260] + t_6 * samples[261] + t_7 * samples[262] - t_8 * samples[263];
-    float t_11 = t_5 * samples[392] + t_6 * samples[393] + t_7 * samples[394] - t_8 * samples[395];
-    float sum = 0.0;
-    float sum_2 = 0.0;
-    float sum_3 = 0.0;
-    float sum_4 = 0.0;
-    float sum_5 = 0.0;
-    float sum_6 = 0.0;
-    for (int row = 0; row < 4; ++row) {
-        int at = 99 * row;
-        float t_12 = transfer_glossy_rgb_l4_table[at+1] * visibility[49];
-        float t_13 = transfer_glossy_rgb_l4_table[at+2] * visibility[65];
-        float t_14 = transfer_glossy_rgb_l4_table[at+4] * visibility[50];
-        float t_15 = transfer_glossy_rgb_l4_table[at+3] * visibility[36]
-            + transfer_glossy_rgb_l4_table[at+5] * visibility[66];
-        float t_16 = transfer_glossy_rgb_l4_table[at+6] * visibility[25]
-            + transfer_glossy_rgb_l4_table[at+8] * visibility[51];
-        float t_17 = transfer_glossy_rgb_l4_table[at+7] * visibility[37]
-            + transfer_glossy_rgb_l4_table[at+9] * visibility[67];
-        float t_18 = transfer_glossy_rgb_l4_table[at+11] * visibility[26]
-            + transfer_glossy_rgb_l4_table[at+13] * visibility[52];
-        float t_19 = transfer_glossy_rgb_l4_table[at+10] * visibility[16]
-            + transfer_glossy_rgb_l4_table[at+12] * visibility[38]
-            + transfer_glossy_rgb_l4_table[at+14] * visibility[68];
-        float t_20 = transfer_glossy_rgb_l4_table[at+15] * visibility[9]
-            + transfer_glossy_rgb_l4_table[at+17] * visibility[27]
-            + transfer_glossy_rgb_l4_table[at+19] * visibility[53];
-        float t_21 = transfer_glossy_rgb_l4_table[at+16] * visibility[17]
-            + transfer_glossy_rgb_l4_table[at+18] * visibility[39]
-            + transfer_glossy_rgb_l4_table[at+20] * visibility[69];
-        float t_22 = transfer_glossy_rgb_l4_table[at+22] * visibility[10]
-            + transfer_glossy_rgb_l4_table[at+24] * visibility[28]
-            + transfer_glossy_rgb_l4_table[at+26] * visibility[54];
-        float t_23 = transfer_glossy_rgb_l4_table[at+21] * visibility[4]
-            + transfer_glossy_rgb_l4_table[at+23] * visibility[18]
-            + transfer_glossy_rgb_l4_table[at+25] * visibility[40]
-            + transfer_glossy_rgb_l4_table[at+27] * visibility[70];
-        float t_24 = transfer_glossy_rgb_l4_table[at+28] * visibility[1]
-            + transfer_glossy_rgb_l4_table[at+30] * visibility[11]
-            + transfer_glossy_rgb_l4_table[at+32] * visibility[29]
-            + transfer_glossy_rgb_l4_table[at+34] * visibility[55];
-        float t_25 = transfer_glossy_rgb_l4_table[at+29] * visibility[5]
-            + transfer_glossy_rgb_l4_table[at+31] * visibility[19]
-            + transfer_glossy_rgb_l4_table[at+33] * visibility[41]
-            + transfer_glossy_rgb_l4_table[at+35] * visibility[71];
-        float t_26 = transfer_glossy_rgb_l4_table[at+45] * visibility[3]
-            + transfer_glossy_rgb_l4_table[at+47] * visibility[13]
-            + transfer_glossy_rgb_l4_table[at+49] * visibility[31]
-            + transfer_glossy_rgb_l4_table[at+51] * visibility[57];
-        float t_27 = transfer_glossy_rgb_l4_table[at+46] * visibility[7]
-            + transfer_glossy_rgb_l4_table[at+48] * visibility[21]
-            + transfer_glossy_rgb_l4_table[at+50] * visibility[43]
-            + transfer_glossy_rgb_l4_table[at+52] * visibility[73];
-        float t_28 = transfer_glossy_rgb_l4_table[at+54] * visibility[14]
-            + transfer_glossy_rgb_l4_table[at+56] * visibility[32]
-            + transfer_glossy_rgb_l4_table[at+58] * visibility[58];
-        float t_29 = transfer_glossy_rgb_l4_table[at+53] * visibility[8]
-            + transfer_glossy_rgb_l4_table[at+55] * visibility[22]
-            + transfer_glossy_rgb_l4_table[at+57] * visibility[44]
-            + transfer_glossy_rgb_l4_table[at+59] * visibility[74];
-        float t_30 = transfer_glossy_rgb_l4_table[at+60] * visibility[15]
-            + transfer_glossy_rgb_l4_table[at+62] * visibility[33]
-            + transfer_glossy_rgb_l4_table[at+64] * visibility[59];
-        float t_31 = transfer_glossy_rgb_l4_table[at+61] * visibility[23]
-            + transfer_glossy_rgb_l4_table[at+63] * visibility[45]
-            + transfer_glossy_rgb_l4_table[at+65] * visibility[75];
-        float t_32 = transfer_glossy_rgb_l4_table[at+11] * visibility[34]
-            + transfer_glossy_rgb_l4_table[at+13] * visibility[60];
-        float t_33 = transfer_glossy_rgb_l4_table[at+10] * visibility[24]
-            + transfer_glossy_rgb_l4_table[at+12] * visibility[46]
-            + transfer_glossy_rgb_l4_table[at+14] * visibility[76];
-        float t_34 = transfer_glossy_rgb_l4_table[at+66] * visibility[35]
-            + transfer_glossy_rgb_l4_table[at+68] * visibility[61];
-        float t_35 = transfer_glossy_rgb_l4_table[at+67] * visibility[47]
-            + transfer_glossy_rgb_l4_table[at+69] * visibility[77];
-        float t_36 = transfer_glossy_rgb_l4_table[at+71] * visibility[62];
-        float t_37 = transfer_glossy_rgb_l4_table[at+70] * visibility[48]
-            + transfer_glossy_rgb_l4_table[at+72] * visibility[78];
-        float t_38 = transfer_glossy_rgb_l4_table[at+73] * visibility[63];
-        float t_39 = transfer_glossy_rgb_l4_table[at+74] * visibility[79];
-        float t_40 = transfer_glossy_rgb_l4_table[at+81] * y_1_1s + transfer_glossy_rgb_l4_table[at+83] * y_3_1s;
-        float t_41 = transfer_glossy_rgb_l4_table[at+90] * y_1_1c + transfer_glossy_rgb_l4_table[at+92] * y_3_1c;
-        float t_42 = transfer_glossy_rgb_l4_table[at+82] * y_2_1s + transfer_glossy_rgb_l4_table[at+84] * y_4_1s;
-        float t_43 = transfer_glossy_rgb_l4_table[at+91] * y_2_1c + transfer_glossy_rgb_l4_table[at+93] * y_4_1c;
-        float t_44 = transfer_glossy_rgb_l4_table[at+79] * y_3_2s;
-        float t_45 = transfer_glossy_rgb_l4_table[at+95] * y_3_2c;
-        float t_46 = transfer_glossy_rgb_l4_table[at+78] * y_2_2s + transfer_glossy_rgb_l4_table[at+80] * y_4_2s;
-        float t_47 = transfer_glossy_rgb_l4_table[at+94] * y_2_2c + transfer_glossy_rgb_l4_table[at+96] * y_4_2c;
-        float t_48 = transfer_glossy_rgb_l4_table[at+76] * y_3_3s;
-        float t_49 = transfer_glossy_rgb_l4_table[at+77] * y_4_3s;
-        float t_50 = transfer_glossy_rgb_l4_table[at+97] * y_3_3c;
-        float t_51 = transfer_glossy_rgb_l4_table[at+98] * y_4_3c;
-        float t_52 = transfer_glossy_rgb_l4_table[at+0] * visibility[64];
-        float t_53 = t_12 + t_13;
-        float t_54 = t_12 - t_13;
-        float t_55 = t_15 + t_14;
-        float t_56 = t_15 - t_14;
-        float t_57 = t_16 + t_17;
-        float t_58 = t_16 - t_17;
-        float t_59 = t_19 + t_18;
-        float t_60 = t_19 - t_18;
-        float t_61 = t_20 + t_21;
-        float t_62 = t_20 - t_21;
-        float t_63 = t_23 + t_22;
-        float t_64 = t_23 - t_22;
-        float t_65 = t_24 + t_25;
-        float t_66 = t_24 - t_25;
-        float t_67 = transfer_glossy_rgb_l4_table[at+37] * visibility[2]
-            + transfer_glossy_rgb_l4_table[at+39] * visibility[12]
-            + transfer_glossy_rgb_l4_table[at+41] * visibility[30]
-            + transfer_glossy_rgb_l4_table[at+43] * visibility[56];
-        float t_68 = transfer_glossy_rgb_l4_table[at+36] * visibility[0]
-            + transfer_glossy_rgb_l4_table[at+38] * visibility[6]
-            + transfer_glossy_rgb_l4_table[at+40] * visibility[20]
-            + transfer_glossy_rgb_l4_table[at+42] * visibility[42]
-            + transfer_glossy_rgb_l4_table[at+44] * visibility[72];
-        float t_69 = t_68 + t_67;
-        float t_70 = t_68 - t_67;
-        float t_71 = t_26 + t_27;
-        float t_72 = t_26 - t_27;
-        float t_73 = t_29 + t_28;
-        float t_74 = t_29 - t_28;
-        float t_75 = t_30 + t_31;
-        float t_76 = t_30 - t_31;
-        float t_77 = t_33 + t_32;
-        float t_78 = t_33 - t_32;
-        float t_79 = t_34 + t_35;
-        float t_80 = t_34 - t_35;
-        float t_81 = t_37 + t_36;
-        float t_82 = t_37 - t_36;
-        float t_83 = t_38 + t_39;
-        float t_84 = t_38 - t_39;
-        float t_85 = transfer_glossy_rgb_l4_table[at+75] * y_4_4s;
-        float t_86 = t_48 + t_49;
-        float t_87 = t_48 - t_49;
-        float t_88 = t_46 + t_44;
-        float t_89 = t_46 - t_44;
-        float t_90 = t_40 + t_42;
-        float t_91 = t_40 - t_42;
-        float t_92 = transfer_glossy_rgb_l4_table[at+86] * z1z + transfer_glossy_rgb_l4_table[at+88] * p_3_0;
-        float t_93 = transfer_glossy_rgb_l4_table[at+85] * lobe[0] + transfer_glossy_rgb_l4_table[at+87] * p_2_0
-            + transfer_glossy_rgb_l4_table[at+89] * p_4_0;
-        float t_94 = t_93 + t_92;
-        float t_95 = t_93 - t_92;
-        float t_96 = t_41 + t_43;
-        float t_97 = t_41 - t_43;
-        float t_98 = t_47 + t_45;
-        float t_99 = t_47 - t_45;
-        float t_100 = t_50 + t_51;
-        float t_101 = t_50 - t_51;
-        float t_102 = transfer_glossy_rgb_l4_table[at+75] * y_4_4c;
-        float t_103 = t_69 + t_77;
-        float t_104 = t_69 - t_77;
-        float t_105 = t_73 + t_81;
-        float t_106 = k_2 * (t_73 - k * t_81);
-        float t_107 = t_103 + t_105;
-        float t_108 = t_103 - t_105;
-        float t_109 = t_104 + t_106;
-        float t_110 = t_104 - t_106;
-        float t_111 = t_52 + t_59;
-        float t_112 = t_52 - t_59;
-        float t_113 = t_55 + t_63;
-        float t_114 = k_2 * (t_55 - k * t_63);
-        float t_115 = t_111 + t_113;
-        float t_116 = t_113 - t_111;
-        float t_117 = t_112 + t_114;
-        float t_118 = t_112 - t_114;
-        float t_119 = t_71 + t_75 + t_79 + t_83;
-        float t_120 = k_3 * t_71 - k_4 * t_75 - k_5 * t_79 - k_6 * t_83;
-        float t_121 = k_7 * t_71 - k_8 * t_75 + k_9 * t_79 + k_10 * t_83;
-        float t_122 = k_11 * t_71 - k_12 * t_75 + k_13 * t_79 - k_14 * t_83;
-        float t_123 = t_53 + t_57 + t_61 + t_65;
-        float t_124 = k_4 * t_57 - k_3 * t_53 + k_5 * t_61 + k_6 * t_65;
-        float t_125 = k_7 * t_53 - k_8 * t_57 + k_9 * t_61 + k_10 * t_65;
-        float t_126 = k_12 * t_57 - k_11 * t_53 - k_13 * t_61 + k_14 * t_65;
-        float t_127 = t_107 + t_115;
-        float t_128 = t_107 - t_115;
-        float t_129 = t_119 + t_123;
-        float t_130 = t_119 - t_123;
-        float t_131 = t_109 - t_117;
-        float t_132 = t_109 + t_117;
-        float t_133 = t_120 + t_124;
-        float t_134 = t_120 - t_124;
-        float t_135 = t_110 + t_118;
-        float t_136 = t_110 - t_118;
-        float t_137 = t_121 + t_125;
-        float t_138 = t_121 - t_125;
-        float t_139 = t_108 + t_116;
-        float t_140 = t_108 - t_116;
-        float t_141 = t_122 + t_126;
-        float t_142 = t_122 - t_126;
-        float t_143 = t_94 + t_102;
-        float t_144 = t_94 - t_102;
-        float t_145 = t_98 + t_143;
-        float t_146 = t_143 - t_98;
-        float t_147 = k_2 * t_98;
-        float t_148 = t_147 + t_144;
-        float t_149 = t_144 - t_147;
-        float t_150 = t_85 + t_88;
-        float t_151 = k_15 * t_88;
-        float t_152 = t_88 - t_85;
-        float t_153 = t_85 + t_151;
-        float t_154 = t_151 - t_85;
-        float t_155 = t_96 + t_100;
-        float t_156 = k_3 * t_96 - k_4 * t_100;
-        float t_157 = k_7 * t_96 - k_8 * t_100;
-        float t_158 = k_11 * t_96 - k_12 * t_100;
-        float t_159 = t_86 + t_90;
-        float t_160 = k_5 * t_86 + k_6 * t_90;
-        float t_161 = k_9 * t_86 + k_10 * t_90;
-        float t_162 = k_14 * t_90 - k_13 * t_86;
-        float t_163 = t_145 + t_150;
-        float t_164 = t_145 - t_150;
-        float t_165 = t_155 + t_159;
-        float t_166 = t_155 - t_159;
-        float t_167 = (t_127 + t_129) * (t_163 + t_165);
-        float t_168 = (t_127 - t_129) * (t_163 - t_165);
-        float t_169 = (t_128 + t_130) * (t_164 + t_166);
-        float t_170 = (t_128 - t_130) * (t_164 - t_166);
-        float t_171 = t_148 + t_153;
-        float t_172 = t_148 - t_153;
-        float t_173 = t_156 + t_160;
-        float t_174 = t_156 - t_160;
-        float t_175 = (t_131 + t_133) * (t_171 + t_173);
-        float t_176 = (t_131 - t_133) * (t_171 - t_173);
-        float t_177 = (t_132 + t_134) * (t_172 + t_174);
-        float t_178 = (t_132 - t_134) * (t_172 - t_174);
-        float t_179 = t_149 + t_154;
-        float t_180 = t_149 - t_154;
-        float t_181 = t_157 + t_161;
-        float t_182 = t_157 - t_161;
-        float t_183 = (t_135 + t_137) * (t_179 + t_181);
-        float t_184 = (t_135 - t_137) * (t_179 - t_181);
-        float t_185 = (t_136 + t_138) * (t_180 + t_182);
-        float t_186 = (t_136 - t_138) * (t_180 - t_182);
-        float t_187 = t_146 + t_152;
-        float t_188 = t_146 - t_152;
-        float t_189 = t_158 + t_162;
-        float t_190 = t_158 - t_162;
-        float t_191 = (t_139 + t_141) * (t_187 + t_189);
-        float t_192 = (t_139 - t_141) * (t_187 - t_189);
-        float t_193 = (t_140 + t_142) * (t_188 + t_190);
-        float t_194 = (t_140 - t_142) * (t_188 - t_190);
-        sum = sum + (t_167 * samples[32 * row] + t_168 * samples[32 * row + 1] + t_169 * samples[32 * row + 2]
-            + t_170 * samples[32 * row + 3] + t_175 * samples[32 * row + 4] + t_176 * samples[32 * row + 5]
-            + t_177 * samples[32 * row + 6] + t_178 * samples[32 * row + 7] + t_183 * samples[32 * row + 8]
-            + t_184 * samples[32 * row + 9] + t_185 * samples[32 * row + 10] + t_186 * samples[32 * row + 11]
-            + t_191 * samples[32 * row + 12] + t_192 * samples[32 * row + 13] + t_193 * samples[32 * row + 14]
-            + t_194 * samples[32 * row + 15]);
-        sum_2 = sum_2 + (t_167 * samples[32 * row + 132] + t_168 * samples[32 * row + 133] + t_169 * samples[32 * row
-            + 134] + t_170 * samples[32 * row + 135] + t_175 * samples[32 * row + 136] + t_176 * samples[32 * row
-            + 137] + t_177 * samples[32 * row + 138] + t_178 * samples[32 * row + 139] + t_183 * samples[32 * row
-            + 140] + t_184 * samples[32 * row + 141] + t_185 * samples[32 * row + 142] + t_186 * samples[32 * row
-            + 143] + t_191 * samples[32 * row + 144] + t_192 * samples[32 * row + 145] + t_193 * samples[32 * row
-            + 146] + t_194 * samples[32 * row + 147]);
-        sum_3 = sum_3 + (t_167 * samples[32 * row + 264] + t_168 * samples[32 * row + 265] + t_169 * samples[32 * row
-            + 266] + t_170 * samples[32 * row + 267] + t_175 * samples[32 * row + 268] + t_176 * samples[32 * row
-            + 269] + t_177 * samples[32 * row + 270] + t_178 * samples[32 * row + 271] + t_183 * samples[32 * row
-            + 272] + t_184 * samples[32 * row + 273] + t_185 * samples[32 * row + 274] + t_186 * samples[32 * row
-            + 275] + t_191 * samples[32 * row + 276] + t_192 * samples[32 * row + 277] + t_193 * samples[32 * row
-            + 278] + t_194 * samples[32 * row + 279]);
-        float t_195 = t_70 + t_78;
-        float t_196 = t_70 - t_78;
-        float t_197 = t_74 + t_82;
-        float t_198 = k_2 * (t_74 - k * t_82);
-        float t_199 = t_195 + t_197;
-        float t_200 = t_195 - t_197;
-        float t_201 = t_196 + t_198;
-        float t_202 = t_196 - t_198;
-        float t_203 = t_52 + t_60;
-        float t_204 = t_52 - t_60;
-        float t_205 = t_56 + t_64;
-        float t_206 = k_2 * (t_56 - k * t_64);
-        float t_207 = t_203 + t_205;
-        float t_208 = t_205 - t_203;
-        float t_209 = t_204 + t_206;
-        float t_210 = t_204 - t_206;
-        float t_211 = t_72 + t_76 + t_80 + t_84;
-        float t_212 = k_3 * t_72 - k_4 * t_76 - k_5 * t_80 - k_6 * t_84;
-        float t_213 = k_7 * t_72 - k_8 * t_76 + k_9 * t_80 + k_10 * t_84;
-        float t_214 = k_11 * t_72 - k_12 * t_76 + k_13 * t_80 - k_14 * t_84;
-        float t_215 = t_54 + t_58 + t_62 + t_66;
-        float t_216 = k_4 * t_58 - k_3 * t_54 + k_5 * t_62 + k_6 * t_66;
-        float t_217 = k_7 * t_54 - k_8 * t_58 + k_9 * t_62 + k_10 * t_66;
-        float t_218 = k_12 * t_58 - k_11 * t_54 - k_13 * t_62 + k_14 * t_66;
-        float t_219 = t_199 + t_207;
-        float t_220 = t_199 - t_207;
-        float t_221 = t_211 + t_215;
-        float t_222 = t_211 - t_215;
-        float t_223 = t_201 - t_209;
-        float t_224 = t_201 + t_209;
-        float t_225 = t_212 + t_216;
-        float t_226 = t_212 - t_216;
-        float t_227 = t_202 + t_210;
-        float t_228 = t_202 - t_210;
-        float t_229 = t_213 + t_217;
-        float t_230 = t_213 - t_217;
-        float t_231 = t_200 + t_208;
-        float t_232 = t_200 - t_208;
-        float t_233 = t_214 + t_218;
-        float t_234 = t_214 - t_218;
-        float t_235 = t_95 + t_102;
-        float t_236 = t_95 - t_102;
-        float t_237 = t_99 + t_235;
-        float t_238 = t_235 - t_99;
-        float t_239 = k_2 * t_99;
-        float t_240 = t_239 + t_236;
-        float t_241 = t_236 - t_239;
-        float t_242 = t_85 + t_89;
-        float t_243 = k_15 * t_89;
-        float t_244 = t_89 - t_85;
-        float t_245 = t_85 + t_243;
-        float t_246 = t_243 - t_85;
-        float t_247 = t_97 + t_101;
-        float t_248 = k_3 * t_97 - k_4 * t_101;
-        float t_249 = k_7 * t_97 - k_8 * t_101;
-        float t_250 = k_11 * t_97 - k_12 * t_101;
-        float t_251 = t_87 + t_91;
-        float t_252 = k_5 * t_87 + k_6 * t_91;
-        float t_253 = k_9 * t_87 + k_10 * t_91;
-        float t_254 = k_14 * t_91 - k_13 * t_87;
-        float t_255 = t_237 + t_242;
-        float t_256 = t_237 - t_242;
-        float t_257 = t_247 + t_251;
-        float t_258 = t_247 - t_251;
-        float t_259 = (t_219 + t_221) * (t_255 + t_257);
-        float t_260 = (t_219 - t_221) * (t_255 - t_257);
-        float t_261 = (t_220 + t_222) * (t_256 + t_258);
-        float t_262 = (t_220 - t_222) * (t_256 - t_258);
-        float t_263 = t_240 + t_245;
-        float t_264 = t_240 - t_245;
-        float t_265 = t_248 + t_252;
-        float t_266 = t_248 - t_252;
-        float t_267 = (t_223 + t_225) * (t_263 + t_265);
-        float t_268 = (t_223 - t_225) * (t_263 - t_265);
-        float t_269 = (t_224 + t_226) * (t_264 + t_266);
-        float t_270 = (t_224 - t_226) * (t_264 - t_266);
-        float t_271 = t_241 + t_246;
-        float t_272 = t_241 - t_246;
-        float t_273 = t_249 + t_253;
-        float t_274 = t_249 - t_253;
-        float t_275 = (t_227 + t_229) * (t_271 + t_273);
-        float t_276 = (t_227 - t_229) * (t_271 - t_273);
-        float t_277 = (t_228 + t_230) * (t_272 + t_274);
-        float t_278 = (t_228 - t_230) * (t_272 - t_274);
-        float t_279 = t_238 + t_244;
-        float t_280 = t_238 - t_244;
-        float t_281 = t_250 + t_254;
-        float t_282 = t_250 - t_254;
-        float t_283 = (t_231 + t_233) * (t_279 + t_281);
-        float t_284 = (t_231 - t_233) * (t_279 - t_281);
-        float t_285 = (t_232 + t_234) * (t_280 + t_282);
-        float t_286 = (t_232 - t_234) * (t_280 - t_282);
-        sum_4 = sum_4 + (t_259 * samples[32 * row + 16] + t_260 * samples[32 * row + 17] + t_261 * samples[32 * row
-            + 18] + t_262 * samples[32 * row + 19] + t_267 * samples[32 * row + 20] + t_268 * samples[32 * row + 21]
-            + t_269 * samples[32 * row + 22] + t_270 * samples[32 * row + 23] + t_275 * samples[32 * row + 24]
-            + t_276 * samples[32 * row + 25] + t_277 * samples[32 * row + 26] + t_278 * samples[32 * row + 27]
-            + t_283 * samples[32 * row + 28] + t_284 * samples[32 * row + 29] + t_285 * samples[32 * row + 30]
-            + t_286 * samples[32 * row + 31]);
-        sum_5 = sum_5 + (t_259 * samples[32 * row + 148] + t_260 * samples[32 * row + 149] + t_261 * samples[32 * row
-            + 150] + t_262 * samples[32 * row + 151] + t_267 * samples[32 * row + 152] + t_268 * samples[32 * row
-            + 153] + t_269 * samples[32 * row + 154] + t_270 * samples[32 * row + 155] + t_275 * samples[32 * row
-            + 156] + t_276 * samples[32 * row + 157] + t_277 * samples[32 * row + 158] + t_278 * samples[32 * row
-            + 159] + t_283 * samples[32 * row + 160] + t_284 * samples[32 * row + 161] + t_285 * samples[32 * row
-            + 162] + t_286 * samples[32 * row + 163]);
-        sum_6 = sum_6 + (t_259 * samples[32 * row + 280] + t_260 * samples[32 * row + 281] + t_261 * samples[32 * row
-            + 282] + t_262 * samples[32 * row + 283] + t_267 * samples[32 * row + 284] + t_268 * samples[32 * row
-            + 285] + t_269 * samples[32 * row + 286] + t_270 * samples[32 * row + 287] + t_275 * samples[32 * row
-            + 288] + t_276 * samples[32 * row + 289] + t_277 * samples[32 * row + 290] + t_278 * samples[32 * row
-            + 291] + t_283 * samples[32 * row + 292] + t_284 * samples[32 * row + 293] + t_285 * samples[32 * row
-            + 294] + t_286 * samples[32 * row + 295]);
-    }
-    rgb[0] = sum + (sum_4 + t_9);     // red
-    rgb[1] = sum_2 + (sum_5 + t_10);  // green
-    rgb[2] = sum_3 + (sum_6 + t_11);  // blue
+    float t_9 = k_31 * visibility[49];
+    float t_10 = k_32 * visibility[65];
+    float t_11 = k_34 * visibility[50];
+    float t_12 = k_33 * visibility[36] + k_35 * visibility[66];
+    float t_13 = k_36 * visibility[25] + k_38 * visibility[51];
+    float t_14 = k_37 * visibility[37] + k_39 * visibility[67];
+    float t_15 = k_41 * visibility[26] + k_43 * visibility[52];
+    float t_16 = k_40 * visibility[16] + k_42 * visibility[38] + k_44 * visibility[68];
+    float t_17 = k_45 * visibility[9] + k_47 * visibility[27] + k_49 * visibility[53];
+    float t_18 = k_46 * visibility[17] + k_48 * visibility[39] + k_50 * visibility[69];
+    float t_19 = k_52 * visibility[10] + k_54 * visibility[28] + k_56 * visibility[54];
+    float t_20 = k_51 * visibility[4] + k_53 * visibility[18] + k_55 * visibility[40] + k_57 * visibility[70];
+    float t_21 = k_58 * visibility[1] + k_60 * visibility[11] + k_62 * visibility[29] + k_64 * visibility[55];
+    float t_22 = k_59 * visibility[5] + k_61 * visibility[19] + k_63 * visibility[41] + k_65 * visibility[71];
+    float t_23 = k_75 * visibility[3] + k_77 * visibility[13] + k_79 * visibility[31] + k_81 * visibility[57];
+    float t_24 = k_76 * visibility[7] + k_78 * visibility[21] + k_80 * visibility[43] + k_82 * visibility[73];
+    float t_25 = k_84 * visibility[14] + k_86 * visibility[32] + k_88 * visibility[58];
+    float t_26 = k_83 * visibility[8] + k_85 * visibility[22] + k_87 * visibility[44] + k_89 * visibility[74];
+    float t_27 = k_90 * visibility[15] + k_92 * visibility[33] + k_94 * visibility[59];
+    float t_28 = k_91 * visibility[23] + k_93 * visibility[45] + k_95 * visibility[75];
+    float t_29 = k_41 * visibility[34] + k_43 * visibility[60];
+    float t_30 = k_40 * visibility[24] + k_42 * visibility[46] + k_44 * visibility[76];
+    float t_31 = k_96 * visibility[35] + k_98 * visibility[61];
+    float t_32 = k_97 * visibility[47] + k_99 * visibility[77];
+    float t_33 = k_101 * visibility[62];
+    float t_34 = k_100 * visibility[48] + k_102 * visibility[78];
+    float t_35 = k_103 * visibility[63];
+    float t_36 = k_104 * visibility[79];
+    float t_37 = k_111 * y_1_1s + k_113 * y_3_1s;
+    float t_38 = k_120 * y_1_1c + k_122 * y_3_1c;
+    float t_39 = k_112 * y_2_1s + k_114 * y_4_1s;
+    float t_40 = k_121 * y_2_1c + k_123 * y_4_1c;
+    float t_41 = k_109 * y_3_2s;
+    float t_42 = k_125 * y_3_2c;
+    float t_43 = k_108 * y_2_2s + k_110 * y_4_2s;
+    float t_44 = k_124 * y_2_2c + k_126 * y_4_2c;
+    float t_45 = k_106 * y_3_3s;
+    float t_46 = k_107 * y_4_3s;
+    float t_47 = k_127 * y_3_3c;
+    float t_48 = k_128 * y_4_3c;
+    float t_49 = k_30 * visibility[64];
+    float t_50 = t_9 + t_10;
+    float t_51 = t_9 - t_10;
+    float t_52 = t_12 + t_11;
+    float t_53 = t_12 - t_11;
+    float t_54 = t_13 + t_14;
+    float t_55 = t_13 - t_14;
+    float t_56 = t_16 + t_15;
+    float t_57 = t_16 - t_15;
+    float t_58 = t_17 + t_18;
+    float t_59 = t_17 - t_18;
+    float t_60 = t_20 + t_19;
+    float t_61 = t_20 - t_19;
+    float t_62 = t_21 + t_22;
+    float t_63 = t_21 - t_22;
+    float t_64 = k_67 * visibility[2] + k_69 * visibility[12] + k_71 * visibility[30] + k_73 * visibility[56];
+    float t_65 = k_66 * visibility[0] + k_68 * visibility[6] + k_70 * visibility[20] + k_72 * visibility[42]
+        + k_74 * visibility[72];
+    float t_66 = t_65 + t_64;
+    float t_67 = t_65 - t_64;
+    float t_68 = t_23 + t_24;
+    float t_69 = t_23 - t_24;
+    float t_70 = t_26 + t_25;
+    float t_71 = t_26 - t_25;
+    float t_72 = t_27 + t_28;
+    float t_73 = t_27 - t_28;
+    float t_74 = t_30 + t_29;
+    float t_75 = t_30 - t_29;
+    float t_76 = t_31 + t_32;
+    float t_77 = t_31 - t_32;
+    float t_78 = t_34 + t_33;
+    float t_79 = t_34 - t_33;
+    float t_80 = t_35 + t_36;
+    float t_81 = t_35 - t_36;
+    float t_82 = k_105 * y_4_4s;
+    float t_83 = t_45 + t_46;
+    float t_84 = t_45 - t_46;
+    float t_85 = t_43 + t_41;
+    float t_86 = t_43 - t_41;
+    float t_87 = t_37 + t_39;
+    float t_88 = t_37 - t_39;
+    float t_89 = k_116 * z1z + k_118 * p_3_0;
+    float t_90 = k_115 * lobe[0] + k_117 * p_2_0 + k_119 * p_4_0;
+    float t_91 = t_90 + t_89;
+    float t_92 = t_90 - t_89;
+    float t_93 = t_38 + t_40;
+    float t_94 = t_38 - t_40;
+    float t_95 = t_44 + t_42;
+    float t_96 = t_44 - t_42;
+    float t_97 = t_47 + t_48;
+    float t_98 = t_47 - t_48;
+    float t_99 = k_105 * y_4_4c;
+    float t_100 = t_66 + t_74;
+    float t_101 = t_66 - t_74;
+    float t_102 = t_70 + t_78;
+    float t_103 = k_2 * (t_70 - k * t_78);
+    float t_104 = t_100 + t_102;
+    float t_105 = t_100 - t_102;
+    float t_106 = t_101 + t_103;
+    float t_107 = t_101 - t_103;
+    float t_108 = t_49 + t_56;
+    float t_109 = t_49 - t_56;
+    float t_110 = t_52 + t_60;
+    float t_111 = k_2 * (t_52 - k * t_60);
+    float t_112 = t_108 + t_110;
+    float t_113 = t_110 - t_108;
+    float t_114 = t_109 + t_111;
+    float t_115 = t_109 - t_111;
+    float t_116 = t_68 + t_72 + t_76 + t_80;
+    float t_117 = k_3 * t_68 - k_4 * t_72 - k_5 * t_76 - k_6 * t_80;
+    float t_118 = k_7 * t_68 - k_8 * t_72 + k_9 * t_76 + k_10 * t_80;
+    float t_119 = k_11 * t_68 - k_12 * t_72 + k_13 * t_76 - k_14 * t_80;
+    float t_120 = t_50 + t_54 + t_58 + t_62;
+    float t_121 = k_4 * t_54 - k_3 * t_50 + k_5 * t_58 + k_6 * t_62;
+    float t_122 = k_7 * t_50 - k_8 * t_54 + k_9 * t_58 + k_10 * t_62;
+    float t_123 = k_12 * t_54 - k_11 * t_50 - k_13 * t_58 + k_14 * t_62;
+    float t_124 = t_104 + t_112;
+    float t_125 = t_104 - t_112;
+    float t_126 = t_116 + t_120;
+    float t_127 = t_116 - t_120;
+    float t_128 = t_106 - t_114;
+    float t_129 = t_106 + t_114;
+    float t_130 = t_117 + t_121;
+    float t_131 = t_117 - t_121;
+    float t_132 = t_107 + t_115;
+    float t_133 = t_107 - t_115;
+    float t_134 = t_118 + t_122;
+    float t_135 = t_118 - t_122;
+    float t_136 = t_105 + t_113;
+    float t_137 = t_105 - t_113;
+    float t_138 = t_119 + t_123;
+    float t_139 = t_119 - t_123;
+    float t_140 = t_91 + t_99;
+    float t_141 = t_91 - t_99;
+    float t_142 = t_95 + t_140;
+    float t_143 = t_140 - t_95;
+    float t_144 = k_2 * t_95;
+    float t_145 = t_144 + t_141;
+    float t_146 = t_141 - t_144;
+    float t_147 = t_82 + t_85;
+    float t_148 = k_15 * t_85;
+    float t_149 = t_85 - t_82;
+    float t_150 = t_82 + t_148;
+    float t_151 = t_148 - t_82;
+    float t_152 = t_93 + t_97;
+    float t_153 = k_3 * t_93 - k_4 * t_97;
+    float t_154 = k_7 * t_93 - k_8 * t_97;
+    float t_155 = k_11 * t_93 - k_12 * t_97;
+    float t_156 = t_83 + t_87;
+    float t_157 = k_5 * t_83 + k_6 * t_87;
+    float t_158 = k_9 * t_83 + k_10 * t_87;
+    float t_159 = k_14 * t_87 - k_13 * t_83;
+    float t_160 = t_142 + t_147;
+    float t_161 = t_142 - t_147;
+    float t_162 = t_152 + t_156;
+    float t_163 = t_152 - t_156;
+    float t_164 = (t_124 + t_126) * (t_160 + t_162);
+    float t_165 = (t_124 - t_126) * (t_160 - t_162);
+    float t_166 = (t_125 + t_127) * (t_161 + t_163);
+    float t_167 = (t_125 - t_127) * (t_161 - t_163);
+    float t_168 = t_145 + t_150;
+    float t_169 = t_145 - t_150;
+    float t_170 = t_153 + t_157;
+    float t_171 = t_153 - t_157;
+    float t_172 = (t_128 + t_130) * (t_168 + t_170);
+    float t_173 = (t_128 - t_130) * (t_168 - t_170);
+    float t_174 = (t_129 + t_131) * (t_169 + t_171);
+    float t_175 = (t_129 - t_131) * (t_169 - t_171);
+    float t_176 = t_146 + t_151;
+    float t_177 = t_146 - t_151;
+    float t_178 = t_154 + t_158;
+    float t_179 = t_154 - t_158;
+    float t_180 = (t_132 + t_134) * (t_176 + t_178);
+    float t_181 = (t_132 - t_134) * (t_176 - t_178);
+    float t_182 = (t_133 + t_135) * (t_177 + t_179);
+    float t_183 = (t_133 - t_135) * (t_177 - t_179);
+    float t_184 = t_143 + t_149;
+    float t_185 = t_143 - t_149;
+    float t_186 = t_155 + t_159;
+    float t_187 = t_155 - t_159;
+    float t_188 = (t_136 + t_138) * (t_184 + t_186);
+    float t_189 = (t_136 - t_138) * (t_184 - t_186);
+    float t_190 = (t_137 + t_139) * (t_185 + t_187);
+    float t_191 = (t_137 - t_139) * (t_185 - t_187);
+    float t_192 = t_67 + t_75;
+    float t_193 = t_67 - t_75;
+    float t_194 = t_71 + t_79;
+    float t_195 = k_2 * (t_71 - k * t_79);
+    float t_196 = t_192 + t_194;
+    float t_197 = t_192 - t_194;
+    float t_198 = t_193 + t_195;
+    float t_199 = t_193 - t_195;
+    float t_200 = t_49 + t_57;
+    float t_201 = t_49 - t_57;
+    float t_202 = t_53 + t_61;
+    float t_203 = k_2 * (t_53 - k * t_61);
+    float t_204 = t_200 + t_202;
+    float t_205 = t_202 - t_200;
+    float t_206 = t_201 + t_203;
+    float t_207 = t_201 - t_203;
+    float t_208 = t_69 + t_73 + t_77 + t_81;
+    float t_209 = k_3 * t_69 - k_4 * t_73 - k_5 * t_77 - k_6 * t_81;
+    float t_210 = k_7 * t_69 - k_8 * t_73 + k_9 * t_77 + k_10 * t_81;
+    float t_211 = k_11 * t_69 - k_12 * t_73 + k_13 * t_77 - k_14 * t_81;
+    float t_212 = t_51 + t_55 + t_59 + t_63;
+    float t_213 = k_4 * t_55 - k_3 * t_51 + k_5 * t_59 + k_6 * t_63;
+    float t_214 = k_7 * t_51 - k_8 * t_55 + k_9 * t_59 + k_10 * t_63;
+    float t_215 = k_12 * t_55 - k_11 * t_51 - k_13 * t_59 + k_14 * t_63;
+    float t_216 = t_196 + t_204;
+    float t_217 = t_196 - t_204;
+    float t_218 = t_208 + t_212;
+    float t_219 = t_208 - t_212;
+    float t_220 = t_198 - t_206;
+    float t_221 = t_198 + t_206;
+    float t_222 = t_209 + t_213;
+    float t_223 = t_209 - t_213;
+    float t_224 = t_199 + t_207;
+    float t_225 = t_199 - t_207;
+    float t_226 = t_210 + t_214;
+    float t_227 = t_210 - t_214;
+    float t_228 = t_197 + t_205;
+    float t_229 = t_197 - t_205;
+    float t_230 = t_211 + t_215;
+    float t_231 = t_211 - t_215;
+    float t_232 = t_92 + t_99;
+    float t_233 = t_92 - t_99;
+    float t_234 = t_96 + t_232;
+    float t_235 = t_232 - t_96;
+    float t_236 = k_2 * t_96;
+    float t_237 = t_236 + t_233;
+    float t_238 = t_233 - t_236;
+    float t_239 = t_82 + t_86;
+    float t_240 = k_15 * t_86;
+    float t_241 = t_86 - t_82;
+    float t_242 = t_82 + t_240;
+    float t_243 = t_240 - t_82;
+    float t_244 = t_94 + t_98;
+    float t_245 = k_3 * t_94 - k_4 * t_98;
+    float t_246 = k_7 * t_94 - k_8 * t_98;
+    float t_247 = k_11 * t_94 - k_12 * t_98;
+    float t_248 = t_84 + t_88;
+    float t_249 = k_5 * t_84 + k_6 * t_88;
+    float t_250 = k_9 * t_84 + k_10 * t_88;
+    float t_251 = k_14 * t_88 - k_13 * t_84;
+    float t_252 = t_234 + t_239;
+    float t_253 = t_234 - t_239;
+    float t_254 = t_244 + t_248;
+    float t_255 = t_244 - t_248;
+    float t_256 = (t_216 + t_218) * (t_252 + t_254);
+    float t_257 = (t_216 - t_218) * (t_252 - t_254);
+    float t_258 = (t_217 + t_219) * (t_253 + t_255);
+    float t_259 = (t_217 - t_219) * (t_253 - t_255);
+    float t_260 = t_237 + t_242;
+    float t_261 = t_237 - t_242;
+    float t_262 = t_245 + t_249;
+    float t_263 = t_245 - t_249;
+    float t_264 = (t_220 + t_222) * (t_260 + t_262);
+    float t_265 = (t_220 - t_222) * (t_260 - t_262);
+    float t_266 = (t_221 + t_223) * (t_261 + t_263);
+    float t_267 = (t_221 - t_223) * (t_261 - t_263);
+    float t_268 = t_238 + t_243;
+    float t_269 = t_238 - t_243;
+    float t_270 = t_246 + t_250;
+    float t_271 = t_246 - t_250;
+    float t_272 = (t_224 + t_226) * (t_268 + t_270);
+    float t_273 = (t_224 - t_226) * (t_268 - t_270);
+    float t_274 = (t_225 + t_227) * (t_269 + t_271);
+    float t_275 = (t_225 - t_227) * (t_269 - t_271);
+    float t_276 = t_235 + t_241;
+    float t_277 = t_235 - t_241;
+    float t_278 = t_247 + t_251;
+    float t_279 = t_247 - t_251;
+    float t_280 = (t_228 + t_230) * (t_276 + t_278);
+    float t_281 = (t_228 - t_230) * (t_276 - t_278);
+    float t_282 = (t_229 + t_231) * (t_277 + t_279);
+    float t_283 = (t_229 - t_231) * (t_277 - t_279);
+    float t_284 = k_130 * visibility[49];
+    float t_285 = k_131 * visibility[65];
+    float t_286 = k_133 * visibility[50];
+    float t_287 = k_132 * visibility[36] + k_134 * visibility[66];
+    float t_288 = k_135 * visibility[25] + k_137 * visibility[51];
+    float t_289 = k_136 * visibility[37] + k_138 * visibility[67];
+    float t_290 = k_140 * visibility[26] + k_142 * visibility[52];
+    float t_291 = k_139 * visibility[16] + k_141 * visibility[38] + k_143 * visibility[68];
+    float t_292 = k_144 * visibility[9] + k_146 * visibility[27] + k_148 * visibility[53];
+    float t_293 = k_145 * visibility[17] + k_147 * visibility[39] + k_149 * visibility[69];
+    float t_294 = k_151 * visibility[10] + k_153 * visibility[28] + k_155 * visibility[54];
+    float t_295 = k_150 * visibility[4] + k_152 * visibility[18] + k_154 * visibility[40] + k_156 * visibility[70];
+    float t_296 = k_157 * visibility[1] + k_159 * visibility[11] + k_161 * visibility[29] + k_163 * visibility[55];
+    float t_297 = k_158 * visibility[5] + k_160 * visibility[19] + k_162 * visibility[41] + k_164 * visibility[71];
+    float t_298 = k_174 * visibility[3] + k_176 * visibility[13] + k_178 * visibility[31] + k_180 * visibility[57];
+    float t_299 = k_175 * visibility[7] + k_177 * visibility[21] + k_179 * visibility[43] + k_181 * visibility[73];
+    float t_300 = k_183 * visibility[14] + k_185 * visibility[32] + k_187 * visibility[58];
+    float t_301 = k_182 * visibility[8] + k_184 * visibility[22] + k_186 * visibility[44] + k_188 * visibility[74];
+    float t_302 = k_189 * visibility[15] + k_191 * visibility[33] + k_193 * visibility[59];
+    float t_303 = k_190 * visibility[23] + k_192 * visibility[45] + k_194 * visibility[75];
+    float t_304 = k_140 * visibility[34] + k_142 * visibility[60];
+    float t_305 = k_139 * visibility[24] + k_141 * visibility[46] + k_143 * visibility[76];
+    float t_306 = k_195 * visibility[35] + k_197 * visibility[61];
+    float t_307 = k_196 * visibility[47] + k_198 * visibility[77];
+    float t_308 = k_200 * visibility[62];
+    float t_309 = k_199 * visibility[48] + k_201 * visibility[78];
+    float t_310 = k_202 * visibility[63];
+    float t_311 = k_203 * visibility[79];
+    float t_312 = k_210 * y_1_1s + k_212 * y_3_1s;
+    float t_313 = k_219 * y_1_1c + k_221 * y_3_1c;
+    float t_314 = k_211 * y_2_1s + k_213 * y_4_1s;
+    float t_315 = k_220 * y_2_1c + k_222 * y_4_1c;
+    float t_316 = k_208 * y_3_2s;
+    float t_317 = k_224 * y_3_2c;
+    float t_318 = k_207 * y_2_2s + k_209 * y_4_2s;
+    float t_319 = k_223 * y_2_2c + k_225 * y_4_2c;
+    float t_320 = k_205 * y_3_3s;
+    float t_321 = k_206 * y_4_3s;
+    float t_322 = k_226 * y_3_3c;
+    float t_323 = k_227 * y_4_3c;
+    float t_324 = k_129 * visibility[64];
+    float t_325 = t_284 + t_285;
+    float t_326 = t_284 - t_285;
+    float t_327 = t_287 + t_286;
+    float t_328 = t_287 - t_286;
+    float t_329 = t_288 + t_289;
+    float t_330 = t_288 - t_289;
+    float t_331 = t_291 + t_290;
+    float t_332 = t_291 - t_290;
+    float t_333 = t_292 + t_293;
+    float t_334 = t_292 - t_293;
+    float t_335 = t_295 + t_294;
+    float t_336 = t_295 - t_294;
+    float t_337 = t_296 + t_297;
+    float t_338 = t_296 - t_297;
+    float t_339 = k_166 * visibility[2] + k_168 * visibility[12] + k_170 * visibility[30] + k_172 * visibility[56];
+    float t_340 = k_165 * visibility[0] + k_167 * visibility[6] + k_169 * visibility[20] + k_171 * visibility[42]
+        + k_173 * visibility[72];
+    float t_341 = t_340 + t_339;
+    float t_342 = t_340 - t_339;
+    float t_343 = t_298 + t_299;
+    float t_344 = t_298 - t_299;
+    float t_345 = t_301 + t_300;
+    float t_346 = t_301 - t_300;
+    float t_347 = t_302 + t_303;
+    float t_348 = t_302 - t_303;
+    float t_349 = t_305 + t_304;
+    float t_350 = t_305 - t_304;
+    float t_351 = t_306 + t_307;
+    float t_352 = t_306 - t_307;
+    float t_353 = t_309 + t_308;
+    float t_354 = t_309 - t_308;
+    float t_355 = t_310 + t_311;
+    float t_356 = t_310 - t_311;
+    float t_357 = k_204 * y_4_4s;
+    float t_358 = t_320 + t_321;
+    float t_359 = t_320 - t_321;
+    float t_360 = t_318 + t_316;
+    float t_361 = t_318 - t_316;
+    float t_362 = t_312 + t_314;
+    float t_363 = t_312 - t_314;
+    float t_364 = k_215 * z1z + k_217 * p_3_0;
+    float t_365 = k_214 * lobe[0] + k_216 * p_2_0 + k_218 * p_4_0;
+    float t_366 = t_365 + t_364;
+    float t_367 = t_365 - t_364;
+    float t_368 = t_313 + t_315;
+    float t_369 = t_313 - t_315;
+    float t_370 = t_319 + t_317;
+    float t_371 = t_319 - t_317;
+    float t_372 = t_322 + t_323;
+    float t_373 = t_322 - t_323;
+    float t_374 = k_204 * y_4_4c;
+    float t_375 = t_341 + t_349;
+    float t_376 = t_341 - t_349;
+    float t_377 = t_345 + t_353;
+    float t_378 = k_2 * (t_345 - k * t_353);
+    float t_379 = t_375 + t_377;
+    float t_380 = t_375 - t_377;
+    float t_381 = t_376 + t_378;
+    float t_382 = t_376 - t_378;
+    float t_383 = t_324 + t_331;
+    float t_384 = t_324 - t_331;
+    float t_385 = t_327 + t_335;
+    float t_386 = k_2 * (t_327 - k * t_335);
+    float t_387 = t_383 + t_385;
+    float t_388 = t_385 - t_383;
+    float t_389 = t_384 + t_386;
+    float t_390 = t_384 - t_386;
+    float t_391 = t_343 + t_347 + t_351 + t_355;
+    float t_392 = k_3 * t_343 - k_4 * t_347 - k_5 * t_351 - k_6 * t_355;
+    float t_393 = k_7 * t_343 - k_8 * t_347 + k_9 * t_351 + k_10 * t_355;
+    float t_394 = k_11 * t_343 - k_12 * t_347 + k_13 * t_351 - k_14 * t_355;
+    float t_395 = t_325 + t_329 + t_333 + t_337;
+    float t_396 = k_4 * t_329 - k_3 * t_325 + k_5 * t_333 + k_6 * t_337;
+    float t_397 = k_7 * t_325 - k_8 * t_329 + k_9 * t_333 + k_10 * t_337;
+    float t_398 = k_12 * t_329 - k_11 * t_325 - k_13 * t_333 + k_14 * t_337;
+    float t_399 = t_379 + t_387;
+    float t_400 = t_379 - t_387;
+    float t_401 = t_391 + t_395;
+    float t_402 = t_391 - t_395;
+    float t_403 = t_381 - t_389;
+    float t_404 = t_381 + t_389;
+    float t_405 = t_392 + t_396;
+    float t_406 = t_392 - t_396;
+    float t_407 = t_382 + t_390;
+    float t_408 = t_382 - t_390;
+    float t_409 = t_393 + t_397;
+    float t_410 = t_393 - t_397;
+    float t_411 = t_380 + t_388;
+    float t_412 = t_380 - t_388;
+    float t_413 = t_394 + t_398;
+    float t_414 = t_394 - t_398;
+    float t_415 = t_366 + t_374;
+    float t_416 = t_366 - t_374;
+    float t_417 = t_370 + t_415;
+    float t_418 = t_415 - t_370;
+    float t_419 = k_2 * t_370;
+    float t_420 = t_419 + t_416;
+    float t_421 = t_416 - t_419;
+    float t_422 = t_357 + t_360;
+    float t_423 = k_15 * t_360;
+    float t_424 = t_360 - t_357;
+    float t_425 = t_357 + t_423;
+    float t_426 = t_423 - t_357;
+    float t_427 = t_368 + t_372;
+    float t_428 = k_3 * t_368 - k_4 * t_372;
+    float t_429 = k_7 * t_368 - k_8 * t_372;
+    float t_430 = k_11 * t_368 - k_12 * t_372;
+    float t_431 = t_358 + t_362;
+    float t_432 = k_5 * t_358 + k_6 * t_362;
+    float t_433 = k_9 * t_358 + k_10 * t_362;
+    float t_434 = k_14 * t_362 - k_13 * t_358;
+    float t_435 = t_417 + t_422;
+    float t_436 = t_417 - t_422;
+    float t_437 = t_427 + t_431;
+    float t_438 = t_427 - t_431;
+    float t_439 = (t_399 + t_401) * (t_435 + t_437);
+    float t_440 = (t_399 - t_401) * (t_435 - t_437);
+    float t_441 = (t_400 + t_402) * (t_436 + t_438);
+    float t_442 = (t_400 - t_402) * (t_436 - t_438);
+    float t_443 = t_420 + t_425;
+    float t_444 = t_420 - t_425;
+    float t_445 = t_428 + t_432;
+    float t_446 = t_428 - t_432;
+    float t_447 = (t_403 + t_405) * (t_443 + t_445);
+    float t_448 = (t_403 - t_405) * (t_443 - t_445);
+    float t_449 = (t_404 + t_406) * (t_444 + t_446);
+    float t_450 = (t_404 - t_406) * (t_444 - t_446);
+    float t_451 = t_421 + t_426;
+    float t_452 = t_421 - t_426;
+    float t_453 = t_429 + t_433;
+    float t_454 = t_429 - t_433;
+    float t_455 = (t_407 + t_409) * (t_451 + t_453);
+    float t_456 = (t_407 - t_409) * (t_451 - t_453);
+    float t_457 = (t_408 + t_410) * (t_452 + t_454);
+    float t_458 = (t_408 - t_410) * (t_452 - t_454);
+    float t_459 = t_418 + t_424;
+    float t_460 = t_418 - t_424;
+    float t_461 = t_430 + t_434;
+    float t_462 = t_430 - t_434;
+    float t_463 = (t_411 + t_413) * (t_459 + t_461);
+    float t_464 = (t_411 - t_413) * (t_459 - t_461);
+    float t_465 = (t_412 + t_414) * (t_460 + t_462);
+    float t_466 = (t_412 - t_414) * (t_460 - t_462);
+    float t_467 = t_342 + t_350;
+    float t_468 = t_342 - t_350;
+    float t_469 = t_346 + t_354;
+    float t_470 = k_2 * (t_346 - k * t_354);
+    float t_471 = t_467 + t_469;
+    float t_472 = t_467 - t_469;
+    float t_473 = t_468 + t_470;
+    float t_474 = t_468 - t_470;
+    float t_475 = t_324 + t_332;
+    float t_476 = t_324 - t_332;
+    float t_477 = t_328 + t_336;
+    float t_478 = k_2 * (t_328 - k * t_336);
+    float t_479 = t_475 + t_477;
+    float t_480 = t_477 - t_475;
+    float t_481 = t_476 + t_478;
+    float t_482 = t_476 - t_478;
+    float t_483 = t_344 + t_348 + t_352 + t_356;
+    float t_484 = k_3 * t_344 - k_4 * t_348 - k_5 * t_352 - k_6 * t_356;
+    float t_485 = k_7 * t_344 - k_8 * t_348 + k_9 * t_352 + k_10 * t_356;
+    float t_486 = k_11 * t_344 - k_12 * t_348 + k_13 * t_352 - k_14 * t_356;
+    float t_487 = t_326 + t_330 + t_334 + t_338;
+    float t_488 = k_4 * t_330 - k_3 * t_326 + k_5 * t_334 + k_6 * t_338;
+    float t_489 = k_7 * t_326 - k_8 * t_330 + k_9 * t_334 + k_10 * t_338;
+    float t_490 = k_12 * t_330 - k_11 * t_326 - k_13 * t_334 + k_14 * t_338;
+    float t_491 = t_471 + t_479;
+    float t_492 = t_471 - t_479;
+    float t_493 = t_483 + t_487;
+    float t_494 = t_483 - t_487;
+    float t_495 = t_473 - t_481;
+    float t_496 = t_473 + t_481;
+    float t_497 = t_484 + t_488;
+    float t_498 = t_484 - t_488;
+    float t_499 = t_474 + t_482;
+    float t_500 = t_474 - t_482;
+    float t_501 = t_485 + t_489;
+    float t_502 = t_485 - t_489;
+    float t_503 = t_472 + t_480;
+    float t_504 = t_472 - t_480;
+    float t_505 = t_486 + t_490;
+    float t_506 = t_486 - t_490;
+    float t_507 = t_367 + t_374;
+    float t_508 = t_367 - t_374;
+    float t_509 = t_371 + t_507;
+    float t_510 = t_507 - t_371;
+    float t_511 = k_2 * t_371;
+    float t_512 = t_511 + t_508;
+    float t_513 = t_508 - t_511;
+    float t_514 = t_357 + t_361;
+    float t_515 = k_15 * t_361;
+    float t_516 = t_361 - t_357;
+    float t_517 = t_357 + t_515;
+    float t_518 = t_515 - t_357;
+    float t_519 = t_369 + t_373;
+    float t_520 = k_3 * t_369 - k_4 * t_373;
+    float t_521 = k_7 * t_369 - k_8 * t_373;
+    float t_522 = k_11 * t_369 - k_12 * t_373;
+    float t_523 = t_359 + t_363;
+    float t_524 = k_5 * t_359 + k_6 * t_363;
+    float t_525 = k_9 * t_359 + k_10 * t_363;
+    float t_526 = k_14 * t_363 - k_13 * t_359;
+    float t_527 = t_509 + t_514;
+    float t_528 = t_509 - t_514;
+    float t_529 = t_519 + t_523;
+    float t_530 = t_519 - t_523;
+    float t_531 = (t_491 + t_493) * (t_527 + t_529);
+    float t_532 = (t_491 - t_493) * (t_527 - t_529);
+    float t_533 = (t_492 + t_494) * (t_528 + t_530);
+    float t_534 = (t_492 - t_494) * (t_528 - t_530);
+    float t_535 = t_512 + t_517;
+    float t_536 = t_512 - t_517;
+    float t_537 = t_520 + t_524;
+    float t_538 = t_520 - t_524;
+    float t_539 = (t_495 + t_497) * (t_535 + t_537);
+    float t_540 = (t_495 - t_497) * (t_535 - t_537);
+    float t_541 = (t_496 + t_498) * (t_536 + t_538);
+    float t_542 = (t_496 - t_498) * (t_536 - t_538);
+    float t_543 = t_513 + t_518;
+    float t_544 = t_513 - t_518;
+    float t_545 = t_521 + t_525;
+    float t_546 = t_521 - t_525;
+    float t_547 = (t_499 + t_501) * (t_543 + t_545);
+    float t_548 = (t_499 - t_501) * (t_543 - t_545);
+    float t_549 = (t_500 + t_502) * (t_544 + t_546);
+    float t_550 = (t_500 - t_502) * (t_544 - t_546);
+    float t_551 = t_510 + t_516;
+    float t_552 = t_510 - t_516;
+    float t_553 = t_522 + t_526;
+    float t_554 = t_522 - t_526;
+    float t_555 = (t_503 + t_505) * (t_551 + t_553);
+    float t_556 = (t_503 - t_505) * (t_551 - t_553);
+    float t_557 = (t_504 + t_506) * (t_552 + t_554);
+    float t_558 = (t_504 - t_506) * (t_552 - t_554);
+    float t_559 = k_229 * visibility[49];
+    float t_560 = k_230 * visibility[65];
+    float t_561 = k_232 * visibility[50];
+    float t_562 = k_231 * visibility[36] + k_233 * visibility[66];
+    float t_563 = k_234 * visibility[25] + k_236 * visibility[51];
+    float t_564 = k_235 * visibility[37] + k_237 * visibility[67];
+    float t_565 = k_239 * visibility[26] + k_241 * visibility[52];
+    float t_566 = k_238 * visibility[16] + k_240 * visibility[38] + k_242 * visibility[68];
+    float t_567 = k_243 * visibility[9] + k_245 * visibility[27] + k_247 * visibility[53];
+    float t_568 = k_244 * visibility[17] + k_246 * visibility[39] + k_248 * visibility[69];
+    float t_569 = k_250 * visibility[10] + k_252 * visibility[28] + k_254 * visibility[54];
+    float t_570 = k_249 * visibility[4] + k_251 * visibility[18] + k_253 * visibility[40] + k_255 * visibility[70];
+    float t_571 = k_256 * visibility[1] + k_258 * visibility[11] + k_260 * visibility[29] + k_262 * visibility[55];
+    float t_572 = k_257 * visibility[5] + k_259 * visibility[19] + k_261 * visibility[41] + k_263 * visibility[71];
+    float t_573 = k_273 * visibility[3] + k_275 * visibility[13] + k_277 * visibility[31] + k_279 * visibility[57];
+    float t_574 = k_274 * visibility[7] + k_276 * visibility[21] + k_278 * visibility[43] + k_280 * visibility[73];
+    float t_575 = k_282 * visibility[14] + k_284 * visibility[32] + k_286 * visibility[58];
+    float t_576 = k_281 * visibility[8] + k_283 * visibility[22] + k_285 * visibility[44] + k_287 * visibility[74];
+    float t_577 = k_288 * visibility[15] + k_290 * visibility[33] + k_292 * visibility[59];
+    float t_578 = k_289 * visibility[23] + k_291 * visibility[45] + k_293 * visibility[75];
+    float t_579 = k_239 * visibility[34] + k_241 * visibility[60];
+    float t_580 = k_238 * visibility[24] + k_240 * visibility[46] + k_242 * visibility[76];
+    float t_581 = k_294 * visibility[35] + k_296 * visibility[61];
+    float t_582 = k_295 * visibility[47] + k_297 * visibility[77];
+    float t_583 = k_299 * visibility[62];
+    float t_584 = k_298 * visibility[48] + k_300 * visibility[78];
+    float t_585 = k_301 * visibility[63];
+    float t_586 = k_302 * visibility[79];
+    float t_587 = k_309 * y_1_1s + k_311 * y_3_1s;
+    float t_588 = k_318 * y_1_1c + k_320 * y_3_1c;
+    float t_589 = k_310 * y_2_1s + k_312 * y_4_1s;
+    float t_590 = k_319 * y_2_1c + k_321 * y_4_1c;
+    float t_591 = k_307 * y_3_2s;
+    float t_592 = k_323 * y_3_2c;
+    float t_593 = k_306 * y_2_2s + k_308 * y_4_2s;
+    float t_594 = k_322 * y_2_2c + k_324 * y_4_2c;
+    float t_595 = k_304 * y_3_3s;
+    float t_596 = k_305 * y_4_3s;
+    float t_597 = k_325 * y_3_3c;
+    float t_598 = k_326 * y_4_3c;
+    float t_599 = k_228 * visibility[64];
+    float t_600 = t_559 + t_560;
+    float t_601 = t_559 - t_560;
+    float t_602 = t_562 + t_561;
+    float t_603 = t_562 - t_561;
+    float t_604 = t_563 + t_564;
+    float t_605 = t_563 - t_564;
+    float t_606 = t_566 + t_565;
+    float t_607 = t_566 - t_565;
+    float t_608 = t_567 + t_568;
+    float t_609 = t_567 - t_568;
+    float t_610 = t_570 + t_569;
+    float t_611 = t_570 - t_569;
+    float t_612 = t_571 + t_572;
+    float t_613 = t_571 - t_572;
+    float t_614 = k_265 * visibility[2] + k_267 * visibility[12] + k_269 * visibility[30] + k_271 * visibility[56];
+    float t_615 = k_264 * visibility[0] + k_266 * visibility[6] + k_268 * visibility[20] + k_270 * visibility[42]
+        + k_272 * visibility[72];
+    float t_616 = t_615 + t_614;
+    float t_617 = t_615 - t_614;
+    float t_618 = t_573 + t_574;
+    float t_619 = t_573 - t_574;
+    float t_620 = t_576 + t_575;
+    float t_621 = t_576 - t_575;
+    float t_622 = t_577 + t_578;
+    float t_623 = t_577 - t_578;
+    float t_624 = t_580 + t_579;
+    float t_625 = t_580 - t_579;
+    float t_626 = t_581 + t_582;
+    float t_627 = t_581 - t_582;
+    float t_628 = t_584 + t_583;
+    float t_629 = t_584 - t_583;
+    float t_630 = t_585 + t_586;
+    float t_631 = t_585 - t_586;
+    float t_632 = k_303 * y_4_4s;
+    float t_633 = t_595 + t_596;
+    float t_634 = t_595 - t_596;
+    float t_635 = t_593 + t_591;
+    float t_636 = t_593 - t_591;
+    float t_637 = t_587 + t_589;
+    float t_638 = t_587 - t_589;
+    float t_639 = k_314 * z1z + k_316 * p_3_0;
+    float t_640 = k_313 * lobe[0] + k_315 * p_2_0 + k_317 * p_4_0;
+    float t_641 = t_640 + t_639;
+    float t_642 = t_640 - t_639;
+    float t_643 = t_588 + t_590;
+    float t_644 = t_588 - t_590;
+    float t_645 = t_594 + t_592;
+    float t_646 = t_594 - t_592;
+    float t_647 = t_597 + t_598;
+    float t_648 = t_597 - t_598;
+    float t_649 = k_303 * y_4_4c;
+    float t_650 = t_616 + t_624;
+    float t_651 = t_616 - t_624;
+    float t_652 = t_620 + t_628;
+    float t_653 = k_2 * (t_620 - k * t_628);
+    float t_654 = t_650 + t_652;
+    float t_655 = t_650 - t_652;
+    float t_656 = t_651 + t_653;
+    float t_657 = t_651 - t_653;
+    float t_658 = t_599 + t_606;
+    float t_659 = t_599 - t_606;
+    float t_660 = t_602 + t_610;
+    float t_661 = k_2 * (t_602 - k * t_610);
+    float t_662 = t_658 + t_660;
+    float t_663 = t_660 - t_658;
+    float t_664 = t_659 + t_661;
+    float t_665 = t_659 - t_661;
+    float t_666 = t_618 + t_622 + t_626 + t_630;
+    float t_667 = k_3 * t_618 - k_4 * t_622 - k_5 * t_626 - k_6 * t_630;
+    float t_668 = k_7 * t_618 - k_8 * t_622 + k_9 * t_626 + k_10 * t_630;
+    float t_669 = k_11 * t_618 - k_12 * t_622 + k_13 * t_626 - k_14 * t_630;
+    float t_670 = t_600 + t_604 + t_608 + t_612;
+    float t_671 = k_4 * t_604 - k_3 * t_600 + k_5 * t_608 + k_6 * t_612;
+    float t_672 = k_7 * t_600 - k_8 * t_604 + k_9 * t_608 + k_10 * t_612;
+    float t_673 = k_12 * t_604 - k_11 * t_600 - k_13 * t_608 + k_14 * t_612;
+    float t_674 = t_654 + t_662;
+    float t_675 = t_654 - t_662;
+    float t_676 = t_666 + t_670;
+    float t_677 = t_666 - t_670;
+    float t_678 = t_656 - t_664;
+    float t_679 = t_656 + t_664;
+    float t_680 = t_667 + t_671;
+    float t_681 = t_667 - t_671;
+    float t_682 = t_657 + t_665;
+    float t_683 = t_657 - t_665;
+    float t_684 = t_668 + t_672;
+    float t_685 = t_668 - t_672;
+    float t_686 = t_655 + t_663;
+    float t_687 = t_655 - t_663;
+    float t_688 = t_669 + t_673;
+    float t_689 = t_669 - t_673;
+    float t_690 = t_641 + t_649;
+    float t_691 = t_641 - t_649;
+    float t_692 = t_645 + t_690;
+    float t_693 = t_690 - t_645;
+    float t_694 = k_2 * t_645;
+    float t_695 = t_694 + t_691;
+    float t_696 = t_691 - t_694;
+    float t_697 = t_632 + t_635;
+    float t_698 = k_15 * t_635;
+    float t_699 = t_635 - t_632;
+    float t_700 = t_632 + t_698;
+    float t_701 = t_698 - t_632;
+    float t_702 = t_643 + t_647;
+    float t_703 = k_3 * t_643 - k_4 * t_647;
+    float t_704 = k_7 * t_643 - k_8 * t_647;
+    float t_705 = k_11 * t_643 - k_12 * t_647;
+    float t_706 = t_633 + t_637;
+    float t_707 = k_5 * t_633 + k_6 * t_637;
+    float t_708 = k_9 * t_633 + k_10 * t_637;
+    float t_709 = k_14 * t_637 - k_13 * t_633;
+    float t_710 = t_692 + t_697;
+    float t_711 = t_692 - t_697;
+    float t_712 = t_702 + t_706;
+    float t_713 = t_702 - t_706;
+    float t_714 = (t_674 + t_676) * (t_710 + t_712);
+    float t_715 = (t_674 - t_676) * (t_710 - t_712);
+    float t_716 = (t_675 + t_677) * (t_711 + t_713);
+    float t_717 = (t_675 - t_677) * (t_711 - t_713);
+    float t_718 = t_695 + t_700;
+    float t_719 = t_695 - t_700;
+    float t_720 = t_703 + t_707;
+    float t_721 = t_703 - t_707;
+    float t_722 = (t_678 + t_680) * (t_718 + t_720);
+    float t_723 = (t_678 - t_680) * (t_718 - t_720);
+    float t_724 = (t_679 + t_681) * (t_719 + t_721);
+    float t_725 = (t_679 - t_681) * (t_719 - t_721);
+    float t_726 = t_696 + t_701;
+    float t_727 = t_696 - t_701;
+    float t_728 = t_704 + t_708;
+    float t_729 = t_704 - t_708;
+    float t_730 = (t_682 + t_684) * (t_726 + t_728);
+    float t_731 = (t_682 - t_684) * (t_726 - t_728);
+    float t_732 = (t_683 + t_685) * (t_727 + t_729);
+    float t_733 = (t_683 - t_685) * (t_727 - t_729);
+    float t_734 = t_693 + t_699;
+    float t_735 = t_693 - t_699;
+    float t_736 = t_705 + t_709;
+    float t_737 = t_705 - t_709;
+    float t_738 = (t_686 + t_688) * (t_734 + t_736);
+    float t_739 = (t_686 - t_688) * (t_734 - t_736);
+    float t_740 = (t_687 + t_689) * (t_735 + t_737);
+    float t_741 = (t_687 - t_689) * (t_735 - t_737);
+    float t_742 = t_617 + t_625;
+    float t_743 = t_617 - t_625;
+    float t_744 = t_621 + t_629;
+    float t_745 = k_2 * (t_621 - k * t_629);
+    float t_746 = t_742 + t_744;
+    float t_747 = t_742 - t_744;
+    float t_748 = t_743 + t_745;
+    float t_749 = t_743 - t_745;
+    float t_750 = t_599 + t_607;
+    float t_751 = t_599 - t_607;
+    float t_752 = t_603 + t_611;
+    float t_753 = k_2 * (t_603 - k * t_611);
+    float t_754 = t_750 + t_752;
+    float t_755 = t_752 - t_750;
+    float t_756 = t_751 + t_753;
+    float t_757 = t_751 - t_753;
+    float t_758 = t_619 + t_623 + t_627 + t_631;
+    float t_759 = k_3 * t_619 - k_4 * t_623 - k_5 * t_627 - k_6 * t_631;
+    float t_760 = k_7 * t_619 - k_8 * t_623 + k_9 * t_627 + k_10 * t_631;
+    float t_761 = k_11 * t_619 - k_12 * t_623 + k_13 * t_627 - k_14 * t_631;
+    float t_762 = t_601 + t_605 + t_609 + t_613;
+    float t_763 = k_4 * t_605 - k_3 * t_601 + k_5 * t_609 + k_6 * t_613;
+    float t_764 = k_7 * t_601 - k_8 * t_605 + k_9 * t_609 + k_10 * t_613;
+    float t_765 = k_12 * t_605 - k_11 * t_601 - k_13 * t_609 + k_14 * t_613;
+    float t_766 = t_746 + t_754;
+    float t_767 = t_746 - t_754;
+    float t_768 = t_758 + t_762;
+    float t_769 = t_758 - t_762;
+    float t_770 = t_748 - t_756;
+    float t_771 = t_748 + t_756;
+    float t_772 = t_759 + t_763;
+    float t_773 = t_759 - t_763;
+    float t_774 = t_749 + t_757;
+    float t_775 = t_749 - t_757;
+    float t_776 = t_760 + t_764;
+    float t_777 = t_760 - t_764;
+    float t_778 = t_747 + t_755;
+    float t_779 = t_747 - t_755;
+    float t_780 = t_761 + t_765;
+    float t_781 = t_761 - t_765;
+    float t_782 = t_642 + t_649;
+    float t_783 = t_642 - t_649;
+    float t_784 = t_646 + t_782;
+    float t_785 = t_782 - t_646;
+    float t_786 = k_2 * t_646;
+    float t_787 = t_786 + t_783;
+    float t_788 = t_783 - t_786;
+    float t_789 = t_632 + t_636;
+    float t_790 = k_15 * t_636;
+    float t_791 = t_636 - t_632;
+    float t_792 = t_632 + t_790;
+    float t_793 = t_790 - t_632;
+    float t_794 = t_644 + t_648;
+    float t_795 = k_3 * t_644 - k_4 * t_648;
+    float t_796 = k_7 * t_644 - k_8 * t_648;
+    float t_797 = k_11 * t_644 - k_12 * t_648;
+    float t_798 = t_634 + t_638;
+    float t_799 = k_5 * t_634 + k_6 * t_638;
+    float t_800 = k_9 * t_634 + k_10 * t_638;
+    float t_801 = k_14 * t_638 - k_13 * t_634;
+    float t_802 = t_784 + t_789;
+    float t_803 = t_784 - t_789;
+    float t_804 = t_794 + t_798;
+    float t_805 = t_794 - t_798;
+    float t_806 = (t_766 + t_768) * (t_802 + t_804);
+    float t_807 = (t_766 - t_768) * (t_802 - t_804);
+    float t_808 = (t_767 + t_769) * (t_803 + t_805);
+    float t_809 = (t_767 - t_769) * (t_803 - t_805);
+    float t_810 = t_787 + t_792;
+    float t_811 = t_787 - t_792;
+    float t_812 = t_795 + t_799;
+    float t_813 = t_795 - t_799;
+    float t_814 = (t_770 + t_772) * (t_810 + t_812);
+    float t_815 = (t_770 - t_772) * (t_810 - t_812);
+    float t_816 = (t_771 + t_773) * (t_811 + t_813);
+    float t_817 = (t_771 - t_773) * (t_811 - t_813);
+    float t_818 = t_788 + t_793;
+    float t_819 = t_788 - t_793;
+    float t_820 = t_796 + t_800;
+    float t_821 = t_796 - t_800;
+    float t_822 = (t_774 + t_776) * (t_818 + t_820);
+    float t_823 = (t_774 - t_776) * (t_818 - t_820);
+    float t_824 = (t_775 + t_777) * (t_819 + t_821);
+    float t_825 = (t_775 - t_777) * (t_819 - t_821);
+    float t_826 = t_785 + t_791;
+    float t_827 = t_785 - t_791;
+    float t_828 = t_797 + t_801;
+    float t_829 = t_797 - t_801;
+    float t_830 = (t_778 + t_780) * (t_826 + t_828);
+    float t_831 = (t_778 - t_780) * (t_826 - t_828);
+    float t_832 = (t_779 + t_781) * (t_827 + t_829);
+    float t_833 = (t_779 - t_781) * (t_827 - t_829);
+    float t_834 = k_328 * visibility[49];
+    float t_835 = k_329 * visibility[65];
+    float t_836 = k_331 * visibility[50];
+    float t_837 = k_330 * visibility[36] + k_332 * visibility[66];
+    float t_838 = k_333 * visibility[25] + k_335 * visibility[51];
+    float t_839 = k_334 * visibility[37] + k_336 * visibility[67];
+    float t_840 = k_338 * visibility[26] + k_340 * visibility[52];
+    float t_841 = k_337 * visibility[16] + k_339 * visibility[38] + k_341 * visibility[68];
+    float t_842 = k_342 * visibility[9] + k_344 * visibility[27] + k_346 * visibility[53];
+    float t_843 = k_343 * visibility[17] + k_345 * visibility[39] + k_347 * visibility[69];
+    float t_844 = k_349 * visibility[10] + k_351 * visibility[28] + k_353 * visibility[54];
+    float t_845 = k_348 * visibility[4] + k_350 * visibility[18] + k_352 * visibility[40] + k_354 * visibility[70];
+    float t_846 = k_355 * visibility[1] + k_357 * visibility[11] + k_359 * visibility[29] + k_361 * visibility[55];
+    float t_847 = k_356 * visibility[5] + k_358 * visibility[19] + k_360 * visibility[41] + k_362 * visibility[71];
+    float t_848 = k_372 * visibility[3] + k_374 * visibility[13] + k_376 * visibility[31] + k_378 * visibility[57];
+    float t_849 = k_373 * visibility[7] + k_375 * visibility[21] + k_377 * visibility[43] + k_379 * visibility[73];
+    float t_850 = k_381 * visibility[14] + k_383 * visibility[32] + k_385 * visibility[58];
+    float t_851 = k_380 * visibility[8] + k_382 * visibility[22] + k_384 * visibility[44] + k_386 * visibility[74];
+    float t_852 = k_387 * visibility[15] + k_389 * visibility[33] + k_391 * visibility[59];
+    float t_853 = k_388 * visibility[23] + k_390 * visibility[45] + k_392 * visibility[75];
+    float t_854 = k_338 * visibility[34] + k_340 * visibility[60];
+    float t_855 = k_337 * visibility[24] + k_339 * visibility[46] + k_341 * visibility[76];
+    float t_856 = k_393 * visibility[35] + k_395 * visibility[61];
+    float t_857 = k_394 * visibility[47] + k_396 * visibility[77];
+    float t_858 = k_398 * visibility[62];
+    float t_859 = k_397 * visibility[48] + k_399 * visibility[78];
+    float t_860 = k_400 * visibility[63];
+    float t_861 = k_401 * visibility[79];
+    float t_862 = k_408 * y_1_1s + k_410 * y_3_1s;
+    float t_863 = k_417 * y_1_1c + k_419 * y_3_1c;
+    float t_864 = k_409 * y_2_1s + k_411 * y_4_1s;
+    float t_865 = k_418 * y_2_1c + k_420 * y_4_1c;
+    float t_866 = k_406 * y_3_2s;
+    float t_867 = k_422 * y_3_2c;
+    float t_868 = k_405 * y_2_2s + k_407 * y_4_2s;
+    float t_869 = k_421 * y_2_2c + k_423 * y_4_2c;
+    float t_870 = k_403 * y_3_3s;
+    float t_871 = k_404 * y_4_3s;
+    float t_872 = k_424 * y_3_3c;
+    float t_873 = k_425 * y_4_3c;
+    float t_874 = k_327 * visibility[64];
+    float t_875 = t_834 + t_835;
+    float t_876 = t_834 - t_835;
+    float t_877 = t_837 + t_836;
+    float t_878 = t_837 - t_836;
+    float t_879 = t_838 + t_839;
+    float t_880 = t_838 - t_839;
+    float t_881 = t_841 + t_840;
+    float t_882 = t_841 - t_840;
+    float t_883 = t_842 + t_843;
+    float t_884 = t_842 - t_843;
+    float t_885 = t_845 + t_844;
+    float t_886 = t_845 - t_844;
+    float t_887 = t_846 + t_847;
+    float t_888 = t_846 - t_847;
+    float t_889 = k_364 * visibility[2] + k_366 * visibility[12] + k_368 * visibility[30] + k_370 * visibility[56];
+    float t_890 = k_363 * visibility[0] + k_365 * visibility[6] + k_367 * visibility[20] + k_369 * visibility[42]
+        + k_371 * visibility[72];
+    float t_891 = t_890 + t_889;
+    float t_892 = t_890 - t_889;
+    float t_893 = t_848 + t_849;
+    float t_894 = t_848 - t_849;
+    float t_895 = t_851 + t_850;
+    float t_896 = t_851 - t_850;
+    float t_897 = t_852 + t_853;
+    float t_898 = t_852 - t_853;
+    float t_899 = t_855 + t_854;
+    float t_900 = t_855 - t_854;
+    float t_901 = t_856 + t_857;
+    float t_902 = t_856 - t_857;
+    float t_903 = t_859 + t_858;
+    float t_904 = t_859 - t_858;
+    float t_905 = t_860 + t_861;
+    float t_906 = t_860 - t_861;
+    float t_907 = k_402 * y_4_4s;
+    float t_908 = t_870 + t_871;
+    float t_909 = t_870 - t_871;
+    float t_910 = t_868 + t_866;
+    float t_911 = t_868 - t_866;
+    float t_912 = t_862 + t_864;
+    float t_913 = t_862 - t_864;
+    float t_914 = k_413 * z1z + k_415 * p_3_0;
+    float t_915 = k_412 * lobe[0] + k_414 * p_2_0 + k_416 * p_4_0;
+    float t_916 = t_915 + t_914;
+    float t_917 = t_915 - t_914;
+    float t_918 = t_863 + t_865;
+    float t_919 = t_863 - t_865;
+    float t_920 = t_869 + t_867;
+    float t_921 = t_869 - t_867;
+    float t_922 = t_872 + t_873;
+    float t_923 = t_872 - t_873;
+    float t_924 = k_402 * y_4_4c;
+    float t_925 = t_891 + t_899;
+    float t_926 = t_891 - t_899;
+    float t_927 = t_895 + t_903;
+    float t_928 = k_2 * (t_895 - k * t_903);
+    float t_929 = t_925 + t_927;
+    float t_930 = t_925 - t_927;
+    float t_931 = t_926 + t_928;
+    float t_932 = t_926 - t_928;
+    float t_933 = t_874 + t_881;
+    float t_934 = t_874 - t_881;
+    float t_935 = t_877 + t_885;
+    float t_936 = k_2 * (t_877 - k * t_885);
+    float t_937 = t_933 + t_935;
+    float t_938 = t_935 - t_933;
+    float t_939 = t_934 + t_936;
+    float t_940 = t_934 - t_936;
+    float t_941 = t_893 + t_897 + t_901 + t_905;
+    float t_942 = k_3 * t_893 - k_4 * t_897 - k_5 * t_901 - k_6 * t_905;
+    float t_943 = k_7 * t_893 - k_8 * t_897 + k_9 * t_901 + k_10 * t_905;
+    float t_944 = k_11 * t_893 - k_12 * t_897 + k_13 * t_901 - k_14 * t_905;
+    float t_945 = t_875 + t_879 + t_883 + t_887;
+    float t_946 = k_4 * t_879 - k_3 * t_875 + k_5 * t_883 + k_6 * t_887;
+    float t_947 = k_7 * t_875 - k_8 * t_879 + k_9 * t_883 + k_10 * t_887;
+    float t_948 = k_12 * t_879 - k_11 * t_875 - k_13 * t_883 + k_14 * t_887;
+    float t_949 = t_929 + t_937;
+    float t_950 = t_929 - t_937;
+    float t_951 = t_941 + t_945;
+    float t_952 = t_941 - t_945;
+    float t_953 = t_931 - t_939;
+    float t_954 = t_931 + t_939;
+    float t_955 = t_942 + t_946;
+    float t_956 = t_942 - t_946;
+    float t_957 = t_932 + t_940;
+    float t_958 = t_932 - t_940;
+    float t_959 = t_943 + t_947;
+    float t_960 = t_943 - t_947;
+    float t_961 = t_930 + t_938;
+    float t_962 = t_930 - t_938;
+    float t_963 = t_944 + t_948;
+    float t_964 = t_944 - t_948;
+    float t_965 = t_916 + t_924;
+    float t_966 = t_916 - t_924;
+    float t_967 = t_920 + t_965;
+    float t_968 = t_965 - t_920;
+    float t_969 = k_2 * t_920;
+    float t_970 = t_969 + t_966;
+    float t_971 = t_966 - t_969;
+    float t_972 = t_907 + t_910;
+    float t_973 = k_15 * t_910;
+    float t_974 = t_910 - t_907;
+    float t_975 = t_907 + t_973;
+    float t_976 = t_973 - t_907;
+    float t_977 = t_918 + t_922;
+    float t_978 = k_3 * t_918 - k_4 * t_922;
+    float t_979 = k_7 * t_918 - k_8 * t_922;
+    float t_980 = k_11 * t_918 - k_12 * t_922;
+    float t_981 = t_908 + t_912;
+    float t_982 = k_5 * t_908 + k_6 * t_912;
+    float t_983 = k_9 * t_908 + k_10 * t_912;
+    float t_984 = k_14 * t_912 - k_13 * t_908;
+    float t_985 = t_967 + t_972;
+    float t_986 = t_967 - t_972;
+    float t_987 = t_977 + t_981;
+    float t_988 = t_977 - t_981;
+    float t_989 = (t_949 + t_951) * (t_985 + t_987);
+    float t_990 = (t_949 - t_951) * (t_985 - t_987);
+    float t_991 = (t_950 + t_952) * (t_986 + t_988);
+    float t_992 = (t_950 - t_952) * (t_986 - t_988);
+    float t_993 = t_970 + t_975;
+    float t_994 = t_970 - t_975;
+    float t_995 = t_978 + t_982;
+    float t_996 = t_978 - t_982;
+    float t_997 = (t_953 + t_955) * (t_993 + t_995);
+    float t_998 = (t_953 - t_955) * (t_993 - t_995);
+    float t_999 = (t_954 + t_956) * (t_994 + t_996);
+    float t_1000 = (t_954 - t_956) * (t_994 - t_996);
+    float t_1001 = t_971 + t_976;
+    float t_1002 = t_971 - t_976;
+    float t_1003 = t_979 + t_983;
+    float t_1004 = t_979 - t_983;
+    float t_1005 = (t_957 + t_959) * (t_1001 + t_1003);
+    float t_1006 = (t_957 - t_959) * (t_1001 - t_1003);
+    float t_1007 = (t_958 + t_960) * (t_1002 + t_1004);
+    float t_1008 = (t_958 - t_960) * (t_1002 - t_1004);
+    float t_1009 = t_968 + t_974;
+    float t_1010 = t_968 - t_974;
+    float t_1011 = t_980 + t_984;
+    float t_1012 = t_980 - t_984;
+    float t_1013 = (t_961 + t_963) * (t_1009 + t_1011);
+    float t_1014 = (t_961 - t_963) * (t_1009 - t_1011);
+    float t_1015 = (t_962 + t_964) * (t_1010 + t_1012);
+    float t_1016 = (t_962 - t_964) * (t_1010 - t_1012);
+    float t_1017 = t_892 + t_900;
+    float t_1018 = t_892 - t_900;
+    float t_1019 = t_896 + t_904;
+    float t_1020 = k_2 * (t_896 - k * t_904);
+    float t_1021 = t_1017 + t_1019;
+    float t_1022 = t_1017 - t_1019;
+    float t_1023 = t_1018 + t_1020;
+    float t_1024 = t_1018 - t_1020;
+    float t_1025 = t_874 + t_882;
+    float t_1026 = t_874 - t_882;
+    float t_1027 = t_878 + t_886;
+    float t_1028 = k_2 * (t_878 - k * t_886);
+    float t_1029 = t_1025 + t_1027;
+    float t_1030 = t_1027 - t_1025;
+    float t_1031 = t_1026 + t_1028;
+    float t_1032 = t_1026 - t_1028;
+    float t_1033 = t_894 + t_898 + t_902 + t_906;
+    float t_1034 = k_3 * t_894 - k_4 * t_898 - k_5 * t_902 - k_6 * t_906;
+    float t_1035 = k_7 * t_894 - k_8 * t_898 + k_9 * t_902 + k_10 * t_906;
+    float t_1036 = k_11 * t_894 - k_12 * t_898 + k_13 * t_902 - k_14 * t_906;
+    float t_1037 = t_876 + t_880 + t_884 + t_888;
+    float t_1038 = k_4 * t_880 - k_3 * t_876 + k_5 * t_884 + k_6 * t_888;
+    float t_1039 = k_7 * t_876 - k_8 * t_880 + k_9 * t_884 + k_10 * t_888;
+    float t_1040 = k_12 * t_880 - k_11 * t_876 - k_13 * t_884 + k_14 * t_888;
+    float t_1041 = t_1021 + t_1029;
+    float t_1042 = t_1021 - t_1029;
+    float t_1043 = t_1033 + t_1037;
+    float t_1044 = t_1033 - t_1037;
+    float t_1045 = t_1023 - t_1031;
+    float t_1046 = t_1023 + t_1031;
+    float t_1047 = t_1034 + t_1038;
+    float t_1048 = t_1034 - t_1038;
+    float t_1049 = t_1024 + t_1032;
+    float t_1050 = t_1024 - t_1032;
+    float t_1051 = t_1035 + t_1039;
+    float t_1052 = t_1035 - t_1039;
+    float t_1053 = t_1022 + t_1030;
+    float t_1054 = t_1022 - t_1030;
+    float t_1055 = t_1036 + t_1040;
+    float t_1056 = t_1036 - t_1040;
+    float t_1057 = t_917 + t_924;
+    float t_1058 = t_917 - t_924;
+    float t_1059 = t_921 + t_1057;
+    float t_1060 = t_1057 - t_921;
+    float t_1061 = k_2 * t_921;
+    float t_1062 = t_1061 + t_1058;
+    float t_1063 = t_1058 - t_1061;
+    float t_1064 = t_907 + t_911;
+    float t_1065 = k_15 * t_911;
+    float t_1066 = t_911 - t_907;
+    float t_1067 = t_907 + t_1065;
+    float t_1068 = t_1065 - t_907;
+    float t_1069 = t_919 + t_923;
+    float t_1070 = k_3 * t_919 - k_4 * t_923;
+    float t_1071 = k_7 * t_919 - k_8 * t_923;
+    float t_1072 = k_11 * t_919 - k_12 * t_923;
+    float t_1073 = t_909 + t_913;
+    float t_1074 = k_5 * t_909 + k_6 * t_913;
+    float t_1075 = k_9 * t_909 + k_10 * t_913;
+    float t_1076 = k_14 * t_913 - k_13 * t_909;
+    float t_1077 = t_1059 + t_1064;
+    float t_1078 = t_1059 - t_1064;
+    float t_1079 = t_1069 + t_1073;
+    float t_1080 = t_1069 - t_1073;
+    float t_1081 = (t_1041 + t_1043) * (t_1077 + t_1079);
+    float t_1082 = (t_1041 - t_1043) * (t_1077 - t_1079);
+    float t_1083 = (t_1042 + t_1044) * (t_1078 + t_1080);
+    float t_1084 = (t_1042 - t_1044) * (t_1078 - t_1080);
+    float t_1085 = t_1062 + t_1067;
+    float t_1086 = t_1062 - t_1067;
+    float t_1087 = t_1070 + t_1074;
+    float t_1088 = t_1070 - t_1074;
+    float t_1089 = (t_1045 + t_1047) * (t_1085 + t_1087);
+    float t_1090 = (t_1045 - t_1047) * (t_1085 - t_1087);
+    float t_1091 = (t_1046 + t_1048) * (t_1086 + t_1088);
+    float t_1092 = (t_1046 - t_1048) * (t_1086 - t_1088);
+    float t_1093 = t_1063 + t_1068;
+    float t_1094 = t_1063 - t_1068;
+    float t_1095 = t_1071 + t_1075;
+    float t_1096 = t_1071 - t_1075;
+    float t_1097 = (t_1049 + t_1051) * (t_1093 + t_1095);
+    float t_1098 = (t_1049 - t_1051) * (t_1093 - t_1095);
+    float t_1099 = (t_1050 + t_1052) * (t_1094 + t_1096);
+    float t_1100 = (t_1050 - t_1052) * (t_1094 - t_1096);
+    float t_1101 = t_1060 + t_1066;
+    float t_1102 = t_1060 - t_1066;
+    float t_1103 = t_1072 + t_1076;
+    float t_1104 = t_1072 - t_1076;
+    float t_1105 = (t_1053 + t_1055) * (t_1101 + t_1103);
+    float t_1106 = (t_1053 - t_1055) * (t_1101 - t_1103);
+    float t_1107 = (t_1054 + t_1056) * (t_1102 + t_1104);
+    float t_1108 = (t_1054 - t_1056) * (t_1102 - t_1104);
+    rgb[0] = t_164 * samples[0] + t_165 * samples[1] + t_166 * samples[2] + t_167 * samples[3] + t_172 * samples[4]
+        + t_173 * samples[5] + t_174 * samples[6] + t_175 * samples[7] + t_180 * samples[8] + t_181 * samples[9]
+        + t_182 * samples[10] + t_183 * samples[11] + t_188 * samples[12] + t_189 * samples[13] + t_190 * samples[14]
+        + t_191 * samples[15] + (t_439 * samples[32] + t_440 * samples[33] + t_441 * samples[34] + t_442 * samples[35]
+        + t_447 * samples[36] + t_448 * samples[37] + t_449 * samples[38] + t_450 * samples[39] + t_455 * samples[40]
+        + t_456 * samples[41] + t_457 * samples[42] + t_458 * samples[43] + t_463 * samples[44] + t_464 * samples[45]
+        + t_465 * samples[46] + t_466 * samples[47]) + (t_714 * samples[64] + t_715 * samples[65]
+        + t_716 * samples[66] + t_717 * samples[67] + t_722 * samples[68] + t_723 * samples[69] + t_724 * samples[70]
+        + t_725 * samples[71] + t_730 * samples[72] + t_731 * samples[73] + t_732 * samples[74] + t_733 * samples[75]
+        + t_738 * samples[76] + t_739 * samples[77] + t_740 * samples[78] + t_741 * samples[79])
+        + (t_989 * samples[96] + t_990 * samples[97] + t_991 * samples[98] + t_992 * samples[99]
+        + t_997 * samples[100] + t_998 * samples[101] + t_999 * samples[102] + t_1000 * samples[103]
+        + t_1005 * samples[104] + t_1006 * samples[105] + t_1007 * samples[106] + t_1008 * samples[107]
+        + t_1013 * samples[108] + t_1014 * samples[109] + t_1015 * samples[110] + t_1016 * samples[111])
+        + (t_256 * samples[16] + t_257 * samples[17] + t_258 * samples[18] + t_259 * samples[19] + t_264 * samples[20]
+        + t_265 * samples[21] + t_266 * samples[22] + t_267 * samples[23] + t_272 * samples[24] + t_273 * samples[25]
+        + t_274 * samples[26] + t_275 * samples[27] + t_280 * samples[28] + t_281 * samples[29] + t_282 * samples[30]
+        + t_283 * samples[31] + (t_531 * samples[48] + t_532 * samples[49] + t_533 * samples[50] + t_534 * samples[51]
+        + t_539 * samples[52] + t_540 * samples[53] + t_541 * samples[54] + t_542 * samples[55] + t_547 * samples[56]
+        + t_548 * samples[57] + t_549 * samples[58] + t_550 * samples[59] + t_555 * samples[60] + t_556 * samples[61]
+        + t_557 * samples[62] + t_558 * samples[63]) + (t_806 * samples[80] + t_807 * samples[81]
+        + t_808 * samples[82] + t_809 * samples[83] + t_814 * samples[84] + t_815 * samples[85] + t_816 * samples[86]
+        + t_817 * samples[87] + t_822 * samples[88] + t_823 * samples[89] + t_824 * samples[90] + t_825 * samples[91]
+        + t_830 * samples[92] + t_831 * samples[93] + t_832 * samples[94] + t_833 * samples[95])
+        + (t_1081 * samples[112] + t_1082 * samples[113] + t_1083 * samples[114] + t_1084 * samples[115]
+        + t_1089 * samples[116] + t_1090 * samples[117] + t_1091 * samples[118] + t_1092 * samples[119]
+        + t_1097 * samples[120] + t_1098 * samples[121] + t_1099 * samples[122] + t_1100 * samples[123]
+        + t_1105 * samples[124] + t_1106 * samples[125] + t_1107 * samples[126] + t_1108 * samples[127])
+        + (t_5 * samples[128] + t_6 * samples[129] + t_7 * samples[130] - t_8 * samples[131]));  // red
+    rgb[1] = t_164 * samples[132] + t_165 * samples[133] + t_166 * samples[134] + t_167 * samples[135]
+        + t_172 * samples[136] + t_173 * samples[137] + t_174 * samples[138] + t_175 * samples[139]
+        + t_180 * samples[140] + t_181 * samples[141] + t_182 * samples[142] + t_183 * samples[143]
+        + t_188 * samples[144] + t_189 * samples[145] + t_190 * samples[146] + t_191 * samples[147]
+        + (t_439 * samples[164] + t_440 * samples[165] + t_441 * samples[166] + t_442 * samples[167]
+        + t_447 * samples[168] + t_448 * samples[169] + t_449 * samples[170] + t_450 * samples[171]
+        + t_455 * samples[172] + t_456 * samples[173] + t_457 * samples[174] + t_458 * samples[175]
+        + t_463 * samples[176] + t_464 * samples[177] + t_465 * samples[178] + t_466 * samples[179])
+        + (t_714 * samples[196] + t_715 * samples[197] + t_716 * samples[198] + t_717 * samples[199]
+        + t_722 * samples[200] + t_723 * samples[201] + t_724 * samples[202] + t_725 * samples[203]
+        + t_730 * samples[204] + t_731 * samples[205] + t_732 * samples[206] + t_733 * samples[207]
+        + t_738 * samples[208] + t_739 * samples[209] + t_740 * samples[210] + t_741 * samples[211])
+        + (t_989 * samples[228] + t_990 * samples[229] + t_991 * samples[230] + t_992 * samples[231]
+        + t_997 * samples[232] + t_998 * samples[233] + t_999 * samples[234] + t_1000 * samples[235]
+        + t_1005 * samples[236] + t_1006 * samples[237] + t_1007 * samples[238] + t_1008 * samples[239]
+        + t_1013 * samples[240] + t_1014 * samples[241] + t_1015 * samples[242] + t_1016 * samples[243])
+        + (t_256 * samples[148] + t_257 * samples[149] + t_258 * samples[150] + t_259 * samples[151]
+        + t_264 * samples[152] + t_265 * samples[153] + t_266 * samples[154] + t_267 * samples[155]
+        + t_272 * samples[156] + t_273 * samples[157] + t_274 * samples[158] + t_275 * samples[159]
+        + t_280 * samples[160] + t_281 * samples[161] + t_282 * samples[162] + t_283 * samples[163]
+        + (t_531 * samples[180] + t_532 * samples[181] + t_533 * samples[182] + t_534 * samples[183]
+        + t_539 * samples[184] + t_540 * samples[185] + t_541 * samples[186] + t_542 * samples[187]
+        + t_547 * samples[188] + t_548 * samples[189] + t_549 * samples[190] + t_550 * samples[191]
+        + t_555 * samples[192] + t_556 * samples[193] + t_557 * samples[194] + t_558 * samples[195])
+        + (t_806 * samples[212] + t_807 * samples[213] + t_808 * samples[214] + t_809 * samples[215]
+        + t_814 * samples[216] + t_815 * samples[217] + t_816 * samples[218] + t_817 * samples[219]
+        + t_822 * samples[220] + t_823 * samples[221] + t_824 * samples[222] + t_825 * samples[223]
+        + t_830 * samples[224] + t_831 * samples[225] + t_832 * samples[226] + t_833 * samples[227])
+        + (t_1081 * samples[244] + t_1082 * samples[245] + t_1083 * samples[246] + t_1084 * samples[247]
+        + t_1089 * samples[248] + t_1090 * samples[249] + t_1091 * samples[250] + t_1092 * samples[251]
+        + t_1097 * samples[252] + t_1098 * samples[253] + t_1099 * samples[254] + t_1100 * samples[255]
+        + t_1105 * samples[256] + t_1106 * samples[257] + t_1107 * samples[258] + t_1108 * samples[259])
+        + (t_5 * samples[260] + t_6 * samples[261] + t_7 * samples[262] - t_8 * samples[263]));  // green
+    rgb[2] = t_164 * samples[264] + t_165 * samples[265] + t_166 * samples[266] + t_167 * samples[267]
+        + t_172 * samples[268] + t_173 * samples[269] + t_174 * samples[270] + t_175 * samples[271]
+        + t_180 * samples[272] + t_181 * samples[273] + t_182 * samples[274] + t_183 * samples[275]
+        + t_188 * samples[276] + t_189 * samples[277] + t_190 * samples[278] + t_191 * samples[279]
+        + (t_439 * samples[296] + t_440 * samples[297] + t_441 * samples[298] + t_442 * samples[299]
+        + t_447 * samples[300] + t_448 * samples[301] + t_449 * samples[302] + t_450 * samples[303]
+        + t_455 * samples[304] + t_456 * samples[305] + t_457 * samples[306] + t_458 * samples[307]
+        + t_463 * samples[308] + t_464 * samples[309] + t_465 * samples[310] + t_466 * samples[311])
+        + (t_714 * samples[328] + t_715 * samples[329] + t_716 * samples[330] + t_717 * samples[331]
+        + t_722 * samples[332] + t_723 * samples[333] + t_724 * samples[334] + t_725 * samples[335]
+        + t_730 * samples[336] + t_731 * samples[337] + t_732 * samples[338] + t_733 * samples[339]
+        + t_738 * samples[340] + t_739 * samples[341] + t_740 * samples[342] + t_741 * samples[343])
+        + (t_989 * samples[360] + t_990 * samples[361] + t_991 * samples[362] + t_992 * samples[363]
+        + t_997 * samples[364] + t_998 * samples[365] + t_999 * samples[366] + t_1000 * samples[367]
+        + t_1005 * samples[368] + t_1006 * samples[369] + t_1007 * samples[370] + t_1008 * samples[371]
+        + t_1013 * samples[372] + t_1014 * samples[373] + t_1015 * samples[374] + t_1016 * samples[375])
+        + (t_256 * samples[280] + t_257 * samples[281] + t_258 * samples[282] + t_259 * samples[283]
+        + t_264 * samples[284] + t_265 * samples[285] + t_266 * samples[286] + t_267 * samples[287]
+        + t_272 * samples[288] + t_273 * samples[289] + t_274 * samples[290] + t_275 * samples[291]
+        + t_280 * samples[292] + t_281 * samples[293] + t_282 * samples[294] + t_283 * samples[295]
+        + (t_531 * samples[312] + t_532 * samples[313] + t_533 * samples[314] + t_534 * samples[315]
+        + t_539 * samples[316] + t_540 * samples[317] + t_541 * samples[318] + t_542 * samples[319]
+        + t_547 * samples[320] + t_548 * samples[321] + t_549 * samples[322] + t_550 * samples[323]
+        + t_555 * samples[324] + t_556 * samples[325] + t_557 * samples[326] + t_558 * samples[327])
+        + (t_806 * samples[344] + t_807 * samples[345] + t_808 * samples[346] + t_809 * samples[347]
+        + t_814 * samples[348] + t_815 * samples[349] + t_816 * samples[350] + t_817 * samples[351]
+        + t_822 * samples[352] + t_823 * samples[353] + t_824 * samples[354] + t_825 * samples[355]
+        + t_830 * samples[356] + t_831 * samples[357] + t_832 * samples[358] + t_833 * samples[359])
+        + (t_1081 * samples[376] + t_1082 * samples[377] + t_1083 * samples[378] + t_1084 * samples[379]
+        + t_1089 * samples[380] + t_1090 * samples[381] + t_1091 * samples[382] + t_1092 * samples[383]
+        + t_1097 * samples[384] + t_1098 * samples[385] + t_1099 * samples[386] + t_1100 * samples[387]
+        + t_1105 * samples[388] + t_1106 * samples[389] + t_1107 * samples[390] + t_1108 * samples[391])
+        + (t_5 * samples[392] + t_6 * samples[393] + t_7 * samples[394] - t_8 * samples[395]));  // blue
 }

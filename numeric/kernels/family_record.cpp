@@ -61,7 +61,6 @@ KernelRecord parsed_kernel(const Json& json) {
   KernelRecord kernel;
   kernel.name = json.at("name");
   kernel.degree = json.at("degree");
-  kernel.has_shader = json.value("shader", true);
   kernel.family = kernel.name.substr(0, kernel.name.rfind("_l"));
   kernel.signature = parsed_signature(json);
   kernel.in_float = parsed_errors(json.at("float"));

@@ -29,7 +29,6 @@ struct KernelRecord {
   Signature signature;
   RoundingAndTotal in_float;
   RoundingAndTotal in_double;
-  bool has_shader = true;  // a file in generated/glsl
 };
 
 /// A bound that the project promises, with its reason: it holds besides the limit that the recorded error gives.

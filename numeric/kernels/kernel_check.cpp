@@ -141,8 +141,7 @@ void append_results(std::vector<KernelResult>& all, const BoundKernel& kernel, c
   const auto double_own = own_formula(kernel, truth.in_double);
   all.push_back(check_cpp(kernel, unit, float_values, float_own, truth.in_float));
   all.push_back(check_cpp(kernel, unit, run_cpp(kernel, truth.in_double), double_own, truth.in_double));
-  const KernelRecord* const record = families_record().find_kernel(kernel.name());
-  if (glsl == nullptr || (record != nullptr && !record->has_shader)) return;
+  if (glsl == nullptr) return;
   for (auto& result : glsl->check(kernel, unit, float_values, float_own, truth.in_float))
     all.push_back(std::move(result));
 }

@@ -275,13 +275,6 @@ std::string places_of_maps(const NormalMaps& maps) {
 }
 
 FileShaders file_shaders(const Transfer& transfer) {
-  constexpr int kHighestInShaders = 4;  // generated/README.md
-  if (transfer.kind->stores_visibility() && transfer.degree() > kHighestInShaders) {
-    throw std::invalid_argument(
-        fmt::format("{}: shaders multiply visibility and light to degree {}, got degree {}; expected a bake of a lower "
-                    "degree, or `prt emit`",
-                    transfer.scene, kHighestInShaders, transfer.degree()));
-  }
   return FileShadersWriter(transfer).run(has_one_finish(transfer.mesh));
 }
 

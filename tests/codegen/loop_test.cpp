@@ -3,10 +3,10 @@
 
 #include <stdexcept>
 
-#include "codegen/bound/straight.hpp"
 #include "codegen/ir/cost.hpp"
 #include "codegen/ir/evaluate.hpp"
 #include "codegen/ir/ir.hpp"
+#include "codegen/measure/measure.hpp"
 #include "codegen/passes/passes.hpp"
 #include "codegen/print/files.hpp"
 #include "codegen/print/statements.hpp"
@@ -75,13 +75,30 @@ Kernel striding() {
 TEST(Loop, InputsWithAStrideMoveOnFromRowToRow) {
   const std::vector<double> input{10, 100, 1000, 10000};
   const Kernel kernel = passes::schedule(passes::prune(passes::fold(passes::share(striding()))));
-  const Kernel unrolled = bound::straight(kernel);
+  const Kernel unrolled = passes::unroll(kernel);
   for (const Kernel* each : {&kernel, &unrolled}) {
     EXPECT_EQ(Evaluator<double>(*each)(input), std::vector<double>{(100.0 + 5 * 10000) * 100});
   }
   const print::Dialect& dialect = print::cpp_dialect();
   EXPECT_EQ(print::make_listing(kernel, dialect).statements.at(3).text,
             "sum = sum + T(table[at+0]) * x[2 * row + 1] * x[1];");
+}
+
+TEST(Loop, IsWrittenOutForShadersWhereInputsMoveOn) {
+  constexpr print::Scalar kFloat = print::Scalar::kFloat;
+  FinishedKernel moving;
+  moving.kernel = striding();
+  FinishedKernel still;
+  still.kernel = probe();
+  for (const auto print : {print::glsl_kernel, print::glsl_es_kernel, print::hlsl_kernel}) {
+    const std::string text = print(moving, kFloat);
+    EXPECT_EQ(text.find("for ("), std::string::npos) << text;
+    EXPECT_NE(text.find("result[0] = k * x[1] * x[1] + k_2 * x[3] * x[1];"), std::string::npos) << text;
+    EXPECT_NE(print(still, kFloat).find("for (int row"), std::string::npos);
+  }
+  for (const auto print : {print::cpp_kernel, print::c99_kernel}) {
+    EXPECT_NE(print(moving, kFloat).find("for (int row"), std::string::npos);
+  }
 }
 
 TEST(Loop, RefusesSumsOfNothingAndRowsAfterSums) {

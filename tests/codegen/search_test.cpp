@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "codegen/bound/straight.hpp"
 #include "codegen/measure/first_order.hpp"
 #include "codegen/measure/half.hpp"
 #include "codegen/measure/lanes.hpp"
+#include "codegen/passes/passes.hpp"
 #include "tests/codegen/support.hpp"
 
 namespace sh::codegen {
@@ -63,7 +63,7 @@ TYPED_TEST(ErrorsIn, LanesAreThoseOfExactArithmetic) {
     if (name == "half" && unsuited.contains(family)) continue;
     const Domain& domain = find_family(family).domain;
     const Kernel kernel = written(family, degree);
-    const Kernel nodes = bound::straight(kernel);
+    const Kernel nodes = passes::unroll(kernel);
     ErrorLanes<TypeParam> lanes(nodes, format);
     const auto inputs = some_inputs<TypeParam>(domain, degree);
     std::vector<Lanes> in(inputs[0].size());
@@ -87,7 +87,7 @@ TEST(FirstOrderError, IsAtLeastTheErrorAtTheSameInput) {
   for (const auto& [family, degree] : kKernels) {
     const Domain& domain = find_family(family).domain;
     const Kernel kernel = written(family, degree);
-    const Kernel nodes = bound::straight(kernel);
+    const Kernel nodes = passes::unroll(kernel);
     const Size size = size_of(kernel, domain);
     FirstOrder first_order(nodes, format);
     for (const auto& input : some_inputs<float>(domain, degree)) {

@@ -111,10 +111,12 @@ inline std::vector<EmittedCase> emitted_cases() {
   return all;
 }
 
-/// Of the highest degree, whose shader takes long to compile.
+/// Of the highest degree.
 inline std::vector<EmittedCase> highest_cases() {
   std::vector<EmittedCase> all;
   all.push_back({"glossy_highest", with_lobes(kGlossyShadowed, kHighestProduct, 18)});
+  all.push_back({"bounces_highest",
+                 with_lobes(kGlossyInterreflected, kHighestProduct, 17, matrices(kHighestProduct, 3, Element::kHalf))});
   return all;
 }
 

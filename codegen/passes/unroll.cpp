@@ -1,10 +1,8 @@
-#include "codegen/bound/straight.hpp"
-
 #include <utility>
 
 #include "codegen/passes/passes.hpp"
 
-namespace sh::codegen::bound {
+namespace sh::codegen::passes {
 namespace {
 
 class Unroller {
@@ -58,6 +56,6 @@ class Unroller {
 
 }  // namespace
 
-Kernel straight(const Kernel& kernel) { return passes::prune(kernel.table.empty() ? kernel : Unroller(kernel).run()); }
+Kernel unroll(const Kernel& kernel) { return prune(kernel.table.empty() ? kernel : Unroller(kernel).run()); }
 
-}  // namespace sh::codegen::bound
+}  // namespace sh::codegen::passes
