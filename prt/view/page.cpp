@@ -29,10 +29,11 @@ constexpr std::pair<std::string_view, std::string_view> kTexts[] = {
 
 /// In the order in which they need each other.
 constexpr std::string_view kModule[] = {"checksum.js", "transfer_file.js", "kernels.js", "relight.js"};
-constexpr std::string_view kPage[] = {"vectors.js",       "stage.js",      "camera.js",  "pixels.js",   "light.js",
-                                      "radiance_file.js", "light_file.js", "state.js",   "embedded.js", "lighting.js",
-                                      "pick.js",          "surfaces.js",   "picture.js", "subject.js",  "ball.js",
-                                      "medium.js",        "input.js",      "panel.js",   "overlay.js",  "main.js"};
+constexpr std::string_view kPage[] = {
+    "vectors.js",       "stage.js",    "camera.js",     "pixels.js",  "light.js",    "light_picture.js",
+    "radiance_file.js", "exr_file.js", "light_file.js", "state.js",   "embedded.js", "lighting.js",
+    "pick.js",          "surfaces.js", "picture.js",    "subject.js", "ball.js",     "medium.js",
+    "input.js",         "panel.js",    "overlay.js",    "main.js"};
 constexpr std::string_view kShaders[] = {"tone.glsl",           "light.glsl",    "picture.vert",  "picture.frag",
                                          "picture_pixels.frag", "surfaces.vert", "surfaces.frag", "medium.vert",
                                          "medium.frag",         "ball.vert",     "ball.frag"};

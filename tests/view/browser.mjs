@@ -8,7 +8,8 @@ import zlib from 'node:zlib';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 
-const kPrt = path.join(process.env.SHFORGE_BIN_DIR ?? 'build/bin', 'prt');
+export const kBin = path.resolve(process.env.SHFORGE_BIN_DIR ?? 'build/bin');
+const kPrt = path.join(kBin, 'prt');
 export const kChromium = process.env.SHFORGE_CHROMIUM ?? '/usr/bin/chromium';
 export const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'shforge-view-'));
 process.on('exit', () => fs.rmSync(folder, { recursive: true, force: true }));

@@ -1,6 +1,7 @@
 // Pictures of light that the tests write: Radiance .hdr, encoded or plain, and OpenEXR without compression.
+import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
-import { inFolder } from './browser.mjs';
+import { inFolder, kBin } from './browser.mjs';
 
 /** A sky of `width` x width / 2 pixels as RGBE: smooth colors, a few bright pixels, rows of one color. */
 export function rgbeSky(width) {
@@ -68,4 +69,17 @@ export function writeExr(name, width, rgbe) {
     ...Array.from({ length: width }, (_column, k) => rgbe[4 * (row * width + k) + c] * 2 ** (rgbe[4 * (row * width + k) + 3] - 136))))]));
   fs.writeFileSync(inFolder(name), Buffer.concat([head, offsets, ...rows]));
   return name;
+}
+
+/** Writes an OpenEXR picture once more, by the OpenEXR library (exr_as.cpp); compression: its number. */
+export function writeExrAs(from, name, compression, type, order) {
+  execFileSync(`${kBin}/exr_as`, [inFolder(from), inFolder(name), String(compression), type, order]);
+  return name;
+}
+
+/** `width` x width / 2 pixels of noise. */
+export function rgbeNoise(width) {
+  let seed = 1;
+  const next = () => { seed = (Math.imul(seed, 1103515245) + 12345) >>> 0; return seed >>> 16; };
+  return Buffer.from(Array.from({ length: (width * width) / 2 }, () => [next() & 255, next() & 255, next() & 255, 120 + (next() & 15)]).flat());
 }

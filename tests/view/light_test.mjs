@@ -3,7 +3,7 @@ import assert from 'node:assert';
 import fs from 'node:fs';
 import { before, test } from 'node:test';
 import { drop, inFolder, message, prt, radianceOf, radianceOfPly, refusal, relativeDifference, scene, set, spawnPrt, statusOf, withAddress, withPage } from './browser.mjs';
-import { rgbeSky, writeExr, writeHdr, writeOldHdr } from './light_pictures.mjs';
+import { rgbeNoise, rgbeSky, writeExr, writeExrAs, writeHdr, writeOldHdr } from './light_pictures.mjs';
 
 const kWidth = 64;
 const kSky = rgbeSky(kWidth);
@@ -43,6 +43,53 @@ test('A picture in .hdr that is dropped on the page is the light of prt project'
   });
 });
 
+// Even and odd counts of lines, chunks that are not full, more values than 2^14; some channels are no color.
+test('A picture in .exr of any compression that the page reads is the light of prt project', async () => {
+  await withPage('box.html', async (page) => {
+    for (const width of [2, 10, 66, 600]) {
+      writeExr('noise.exr', width, rgbeNoise(width));
+      for (const compression of width < 600 ? [0, 1, 2, 3, 4] : [3, 4]) {
+        for (const [type, order] of [['half', 'decreasing'], ['float', 'increasing']]) {
+          const name = writeExrAs('noise.exr', `${width}_${compression}_${type}.exr`, compression, type, order);
+          const difference = relativeDifference(await isDropped(page, name), coefficientsOf(name));
+          assert.ok(difference < 1e-6, `${name}: ${difference}`);
+        }
+      }
+    }
+  });
+});
+
+test('Pictures in .exr that are damaged, or that the page does not read, are refused with one line', async () => {
+  writeExr('noise.exr', 34, rgbeNoise(34));
+  const packed = (compression) => fs.readFileSync(inFolder(writeExrAs('sky.exr', 'packed.exr', compression, 'half', 'increasing')));
+  const plain = fs.readFileSync(inFolder('noise.exr'));
+  const set32 = (bytes, at, value) => { const out = Buffer.from(bytes); out.writeInt32LE(value, at); return out; };
+  const whereOf = (bytes, key) => bytes.indexOf(`${key}\0`) + bytes.subarray(bytes.indexOf(`${key}\0`) + key.length + 1).indexOf(0) + key.length + 2 + 4;
+  const lastPixel = plain.length - 4;
+  const flipped = (bytes, at) => Buffer.from(bytes.map((byte, i) => (i === at ? byte ^ 0xff : byte)));
+  const cases = [
+    ['no.exr', Buffer.from('no picture'), /does not begin as OpenEXR/], ['half.exr', plain.subarray(0, plain.length / 2), /is truncated/],
+    ['head.exr', plain.subarray(0, 40), /is truncated/], ['tiles.exr', set32(plain, 4, 0x202), /has tiles, several parts or deep pixels/],
+    ['size.exr', set32(plain, whereOf(plain, 'dataWindow') + 8, 1 << 30), /^size\.exr: the picture is 1073741825 x 17 pixels; expected 1 to 134217728 pixels$/],
+    ['type.exr', set32(plain, whereOf(plain, 'channels') + 2, 7), /has a channel of the unknown type 7/],
+    ['names.exr', Buffer.from(plain.map((byte, i) => (i === whereOf(plain, 'channels') ? 67 : byte))), /^names\.exr: has the channels C, G, R; expected R, G, B in one layer, or Y alone$/],
+    ['sampled.exr', set32(plain, whereOf(plain, 'channels') + 10, 2), /the channel B is subsampled; expected a value for every pixel/],
+    ['nan.exr', set32(plain, lastPixel, 0x7fc00000), /^nan\.exr: the pixel in column 33, row 16 is \(nan, .*\); expected finite values$/],
+    ['zlib.exr', flipped(packed(3), packed(3).length - 100), /has a chunk that is no zlib stream of its size/],
+    ['runs.exr', packed(1).fill(127, packed(1).length - 200), /has wrong run lengths|has too few run lengths/],
+    ['piz.exr', packed(4).fill(255, packed(4).length - 2000), /expected a complete OpenEXR picture/],
+    ['dwaa.exr', packed(8), /^dwaa\.exr: is compressed by DWAA, which `prt project` reads; this page reads plain pictures, run lengths, zlib and PIZ$/],
+  ];
+  await withPage('box.html', async (page) => {
+    for (const [name, bytes, line] of cases) {
+      await drop(page, name, bytes);
+      await page.waitForFunction((start) => document.getElementById('message').textContent.startsWith(start) || viewer.lighting.dropped, name);
+      assert.equal(await page.evaluate(() => viewer.state.light), 'given', name);
+      assert.match(await message(page), line, name);
+    }
+  });
+});
+
 test('A file that is chosen, not dropped, is the light, too', async () => {
   await withPage('box.html', async (page) => {
     await page.setInputFiles('#control-file', inFolder('sky.hdr'));
@@ -70,7 +117,7 @@ test('Pictures that are damaged or do not fit are refused with the words of prt'
       await set(page, {});
     }
     for (const [name, content, line] of [
-      ['c.exr', '', /^c\.exr: of pictures this page reads \.hdr alone: drop the JSON of `prt project c\.exr --degree 4`, or open the page with `prt view --serve`$/],
+      ['c.png', '', /^c\.png: of pictures this page reads \.hdr and \.exr: drop the JSON of `prt project c\.png --degree 4`, or open the page with `prt view --serve`$/],
       ['d.txt', 'light', /^d\.txt: expected a light: the JSON of `prt project`, or a lat-long picture$/],
       ['e.json', JSON.stringify({ degree: 0, coefficients: [[1e300], [0], [0]] }), /^e\.json: the lights exceed single precision; expected weaker ones, below 1e37$/],
     ]) {

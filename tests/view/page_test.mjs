@@ -355,10 +355,3 @@ test('Two writings of one page have the same bytes', () => {
   prt('view', 'shadowed.transfer', '--scene', 'shadowed.json', '-o', 'again.html', '--threads', 1);
   assert.ok(fs.readFileSync(inFolder('again.html')).equals(fs.readFileSync(inFolder('shadowed.html'))));
 });
-
-test('Glossy transfer of a degree that shaders do not have is refused', () => {
-  scene('high.json', { mesh: { specular: [0.1, 0.1, 0.1], exponent: 12 }, bake: { degree: 5, directions: 64 } });
-  prt('bake', 'high.json', '-o', 'high.transfer', '--kind', 'glossy_shadowed', '--no-checkpoint');
-  assert.match(refusal('view', 'high.transfer', '-o', 'bad.html'), /^high: shaders multiply visibility and light to degree 4, got degree 5/);
-  assert.ok(!fs.existsSync(inFolder('bad.html')));
-});

@@ -1,4 +1,5 @@
-// A file as a light: coefficients as `prt project` prints them, or a lat-long picture in Radiance's format.
+// A file as a light: coefficients as `prt project` prints them, or a lat-long picture.
+import { readExr } from './exr_file.js';
 import { lightOf, lightOfPicture } from './light.js';
 import { readRadiance } from './radiance_file.js';
 import { FileError } from './transfer_file.js';
@@ -25,7 +26,8 @@ async function anyLightOf(page, file, isServed) {
   if (/\.hdr$/i.test(file.name)) return lightOfPicture(page, readRadiance(new Uint8Array(await file.arrayBuffer())));
   if (!/\.(exr|png|jpe?g)$/i.test(file.name)) throw new FileError('expected a light: the JSON of `prt project`, or a lat-long picture');
   if (isServed) return projectedByServer(file, page.degree);
-  throw new FileError(`of pictures this page reads .hdr alone: drop the JSON of \`prt project ${file.name} --degree ${page.degree}\`, or open the page with \`prt view --serve\``);
+  if (/\.exr$/i.test(file.name)) return lightOfPicture(page, await readExr(new Uint8Array(await file.arrayBuffer())));
+  throw new FileError(`of pictures this page reads .hdr and .exr: drop the JSON of \`prt project ${file.name} --degree ${page.degree}\`, or open the page with \`prt view --serve\``);
 }
 
 /** File -> light, of a picture in the degree of the page. Throws FileError. */

@@ -1,8 +1,7 @@
 // Radiance RGBE pictures (.hdr), checked as prt/image/radiance_reader.cpp does. [Greg Ward, "Real Pixels", Graphics Gems II
 // (1991), p. 80; Radiance file formats, filefmts.pdf]
+import { pictureOf, requirePictureSize } from './light_picture.js';
 import { FileError } from './transfer_file.js';
-
-const kMostPixels = 2 ** 27;
 
 class RadianceReader {
   constructor(bytes) {
@@ -87,13 +86,11 @@ class RadianceReader {
   }
 }
 
-/** Bytes -> {width, height, pixels: linear RGB, row by row from the top}. Throws FileError. */
+/** Bytes -> picture. Throws FileError. */
 export function readRadiance(bytes) {
   const reader = new RadianceReader(bytes);
   const { width, height, exposure } = reader.header();
-  if (width === 0 || height === 0 || width * height > kMostPixels) {
-    throw new FileError(`a picture of ${width} x ${height} pixels; expected at least one and at most ${kMostPixels}`);
-  }
+  requirePictureSize(width, height);
   const pixels = new Float32Array(3 * width * height), rgbe = new Uint8Array(4 * width);
   for (let i = 0; reader.row < height; ++reader.row) {
     reader.scanline(rgbe);
@@ -102,7 +99,5 @@ export function readRadiance(bytes) {
       for (let c = 0; c < 3; ++c) pixels[i + c] = rgbe[k + c] * factor;
     }
   }
-  const flaw = pixels.findIndex((value) => value === Infinity);
-  if (flaw >= 0) throw new FileError(`the pixel in column ${Math.floor(flaw / 3) % width}, row ${Math.floor(flaw / 3 / width)} is not finite; expected finite values`);
-  return { width, height, pixels };
+  return pictureOf(width, height, pixels);
 }
