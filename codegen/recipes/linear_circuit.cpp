@@ -207,6 +207,19 @@ class Search {
   std::vector<Row> sums_;
 };
 
+// True for 1 and -1.
+bool is_sign(const ExactReal& factor) {
+  const auto rational = as_rational(factor);
+  return rational && cln::abs(*rational) == 1;
+}
+
+// Compilers of shaders put chains of five or more values that are used elsewhere, too, in another order, even of results
+// that are declared invariant. They keep balanced trees, so that these have the same bits in every language.
+Value sum_in_order(SignedBuilder& build, const std::vector<Value>& terms, bool are_values) {
+  constexpr std::size_t kLongestChain = 4;
+  return are_values && terms.size() > kLongestChain ? build.balanced_sum(terms) : build.sum(terms);
+}
+
 }  // namespace
 
 int LinearCircuit::operations() const {
@@ -214,8 +227,7 @@ int LinearCircuit::operations() const {
   for (const auto& terms : sums) {
     total += static_cast<int>(terms.size()) - 1;
     for (const LinearTerm& term : terms) {
-      const auto rational = as_rational(term.factor);
-      if (!rational || cln::abs(*rational) != 1) ++total;
+      if (!is_sign(term.factor)) ++total;
     }
   }
   return total;
@@ -243,10 +255,12 @@ std::vector<Value> run_forwards(SignedBuilder& build, const LinearCircuit& circu
   for (const auto& sum : circuit.sums) {
     std::vector<Value> terms;
     terms.reserve(sum.size());
+    bool are_values = true;
     for (const LinearTerm& term : sum) {
       terms.push_back(build.times_once(term.factor, values[term.source]));
+      are_values = are_values && is_sign(term.factor);
     }
-    values.push_back(build.sum(terms));
+    values.push_back(sum_in_order(build, terms, are_values));
   }
   std::vector<Value> rows;
   for (const int output : circuit.outputs) {

@@ -13,8 +13,8 @@
 //               z2, ...: square roots of the zeros of the Jacobi polynomial P_5^(1,-1/2)(2t-1), falling
 // Cost:         1663 multiplications, 2738 additions; longest chain 29; at most 165 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light|, |light| = 1
-//               float   rounding  largest seen 1.2e-07 (1.0 eps)
-//               double  rounding  largest seen 2.3e-16 (1.0 eps)
+//               float   rounding  largest seen 1.1e-07 (1.0 eps)
+//               double  rounding  largest seen 1.9e-16 (0.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
 //               seen:     among 120 visibility (random, of norm 1) with prepared lights (random, of norm 1 in each
@@ -920,12 +920,12 @@ void transfer_apply_l5(float visibility[121], float samples[204], out float resu
     float t_99 = t_96 - t_94;
     float t_100 = t_95 + t_97;
     float t_101 = t_95 - t_97;
-    float t_102 = t_66 + t_70 + t_74 + t_78 + t_82;
+    float t_102 = t_66 + t_70 + (t_74 + (t_78 + t_82));
     float t_103 = k_22 * t_66 + k_23 * t_70 - t_74 - k_24 * t_78 - k_25 * t_82;
     float t_104 = k_26 * t_66 - k_27 * t_70 - t_74 + k_28 * t_78 + k_29 * t_82;
     float t_105 = k_30 * t_66 - k_31 * t_70 + t_74 + k_32 * t_78 - k_33 * t_82;
     float t_106 = k_34 * t_66 - k_35 * t_70 + t_74 - k_36 * t_78 + k_37 * t_82;
-    float t_107 = t_46 + t_50 + t_54 + t_58 + t_62;
+    float t_107 = t_46 + t_50 + (t_54 + (t_58 + t_62));
     float t_108 = t_54 - k_22 * t_46 - k_23 * t_50 + k_24 * t_58 + k_25 * t_62;
     float t_109 = k_26 * t_46 - k_27 * t_50 - t_54 + k_28 * t_58 + k_29 * t_62;
     float t_110 = k_31 * t_50 - k_30 * t_46 - t_54 - k_32 * t_58 + k_33 * t_62;
@@ -1038,12 +1038,12 @@ void transfer_apply_l5(float visibility[121], float samples[204], out float resu
     float t_217 = t_214 - t_212;
     float t_218 = t_213 + t_215;
     float t_219 = t_213 - t_215;
-    float t_220 = t_67 + t_71 + t_75 + t_79 + t_83;
+    float t_220 = t_67 + t_71 + (t_75 + (t_79 + t_83));
     float t_221 = k_22 * t_67 + k_23 * t_71 - t_75 - k_24 * t_79 - k_25 * t_83;
     float t_222 = k_26 * t_67 - k_27 * t_71 - t_75 + k_28 * t_79 + k_29 * t_83;
     float t_223 = k_30 * t_67 - k_31 * t_71 + t_75 + k_32 * t_79 - k_33 * t_83;
     float t_224 = k_34 * t_67 - k_35 * t_71 + t_75 - k_36 * t_79 + k_37 * t_83;
-    float t_225 = t_47 + t_51 + t_55 + t_59 + t_63;
+    float t_225 = t_47 + t_51 + (t_55 + (t_59 + t_63));
     float t_226 = t_55 - k_22 * t_47 - k_23 * t_51 + k_24 * t_59 + k_25 * t_63;
     float t_227 = k_26 * t_47 - k_27 * t_51 - t_55 + k_28 * t_59 + k_29 * t_63;
     float t_228 = k_31 * t_51 - k_30 * t_47 - t_55 - k_32 * t_59 + k_33 * t_63;
@@ -1253,12 +1253,12 @@ void transfer_apply_l5(float visibility[121], float samples[204], out float resu
     float t_424 = t_421 - t_419;
     float t_425 = t_420 + t_422;
     float t_426 = t_420 - t_422;
-    float t_427 = t_391 + t_395 + t_399 + t_403 + t_407;
+    float t_427 = t_391 + t_395 + (t_399 + (t_403 + t_407));
     float t_428 = k_22 * t_391 + k_23 * t_395 - t_399 - k_24 * t_403 - k_25 * t_407;
     float t_429 = k_26 * t_391 - k_27 * t_395 - t_399 + k_28 * t_403 + k_29 * t_407;
     float t_430 = k_30 * t_391 - k_31 * t_395 + t_399 + k_32 * t_403 - k_33 * t_407;
     float t_431 = k_34 * t_391 - k_35 * t_395 + t_399 - k_36 * t_403 + k_37 * t_407;
-    float t_432 = t_371 + t_375 + t_379 + t_383 + t_387;
+    float t_432 = t_371 + t_375 + (t_379 + (t_383 + t_387));
     float t_433 = t_379 - k_22 * t_371 - k_23 * t_375 + k_24 * t_383 + k_25 * t_387;
     float t_434 = k_26 * t_371 - k_27 * t_375 - t_379 + k_28 * t_383 + k_29 * t_387;
     float t_435 = k_31 * t_375 - k_30 * t_371 - t_379 - k_32 * t_383 + k_33 * t_387;
@@ -1371,12 +1371,12 @@ void transfer_apply_l5(float visibility[121], float samples[204], out float resu
     float t_542 = t_539 - t_537;
     float t_543 = t_538 + t_540;
     float t_544 = t_538 - t_540;
-    float t_545 = t_392 + t_396 + t_400 + t_404 + t_408;
+    float t_545 = t_392 + t_396 + (t_400 + (t_404 + t_408));
     float t_546 = k_22 * t_392 + k_23 * t_396 - t_400 - k_24 * t_404 - k_25 * t_408;
     float t_547 = k_26 * t_392 - k_27 * t_396 - t_400 + k_28 * t_404 + k_29 * t_408;
     float t_548 = k_30 * t_392 - k_31 * t_396 + t_400 + k_32 * t_404 - k_33 * t_408;
     float t_549 = k_34 * t_392 - k_35 * t_396 + t_400 - k_36 * t_404 + k_37 * t_408;
-    float t_550 = t_372 + t_376 + t_380 + t_384 + t_388;
+    float t_550 = t_372 + t_376 + (t_380 + (t_384 + t_388));
     float t_551 = t_380 - k_22 * t_372 - k_23 * t_376 + k_24 * t_384 + k_25 * t_388;
     float t_552 = k_26 * t_372 - k_27 * t_376 - t_380 + k_28 * t_384 + k_29 * t_388;
     float t_553 = k_31 * t_376 - k_30 * t_372 - t_380 - k_32 * t_384 + k_33 * t_388;
@@ -1586,12 +1586,12 @@ void transfer_apply_l5(float visibility[121], float samples[204], out float resu
     float t_749 = t_746 - t_744;
     float t_750 = t_745 + t_747;
     float t_751 = t_745 - t_747;
-    float t_752 = t_716 + t_720 + t_724 + t_728 + t_732;
+    float t_752 = t_716 + t_720 + (t_724 + (t_728 + t_732));
     float t_753 = k_22 * t_716 + k_23 * t_720 - t_724 - k_24 * t_728 - k_25 * t_732;
     float t_754 = k_26 * t_716 - k_27 * t_720 - t_724 + k_28 * t_728 + k_29 * t_732;
     float t_755 = k_30 * t_716 - k_31 * t_720 + t_724 + k_32 * t_728 - k_33 * t_732;
     float t_756 = k_34 * t_716 - k_35 * t_720 + t_724 - k_36 * t_728 + k_37 * t_732;
-    float t_757 = t_696 + t_700 + t_704 + t_708 + t_712;
+    float t_757 = t_696 + t_700 + (t_704 + (t_708 + t_712));
     float t_758 = t_704 - k_22 * t_696 - k_23 * t_700 + k_24 * t_708 + k_25 * t_712;
     float t_759 = k_26 * t_696 - k_27 * t_700 - t_704 + k_28 * t_708 + k_29 * t_712;
     float t_760 = k_31 * t_700 - k_30 * t_696 - t_704 - k_32 * t_708 + k_33 * t_712;
@@ -1704,12 +1704,12 @@ void transfer_apply_l5(float visibility[121], float samples[204], out float resu
     float t_867 = t_864 - t_862;
     float t_868 = t_863 + t_865;
     float t_869 = t_863 - t_865;
-    float t_870 = t_717 + t_721 + t_725 + t_729 + t_733;
+    float t_870 = t_717 + t_721 + (t_725 + (t_729 + t_733));
     float t_871 = k_22 * t_717 + k_23 * t_721 - t_725 - k_24 * t_729 - k_25 * t_733;
     float t_872 = k_26 * t_717 - k_27 * t_721 - t_725 + k_28 * t_729 + k_29 * t_733;
     float t_873 = k_30 * t_717 - k_31 * t_721 + t_725 + k_32 * t_729 - k_33 * t_733;
     float t_874 = k_34 * t_717 - k_35 * t_721 + t_725 - k_36 * t_729 + k_37 * t_733;
-    float t_875 = t_697 + t_701 + t_705 + t_709 + t_713;
+    float t_875 = t_697 + t_701 + (t_705 + (t_709 + t_713));
     float t_876 = t_705 - k_22 * t_697 - k_23 * t_701 + k_24 * t_709 + k_25 * t_713;
     float t_877 = k_26 * t_697 - k_27 * t_701 - t_705 + k_28 * t_709 + k_29 * t_713;
     float t_878 = k_31 * t_701 - k_30 * t_697 - t_705 - k_32 * t_709 + k_33 * t_713;
@@ -1919,12 +1919,12 @@ void transfer_apply_l5(float visibility[121], float samples[204], out float resu
     float t_1074 = t_1071 - t_1069;
     float t_1075 = t_1070 + t_1072;
     float t_1076 = t_1070 - t_1072;
-    float t_1077 = t_1041 + t_1045 + t_1049 + t_1053 + t_1057;
+    float t_1077 = t_1041 + t_1045 + (t_1049 + (t_1053 + t_1057));
     float t_1078 = k_22 * t_1041 + k_23 * t_1045 - t_1049 - k_24 * t_1053 - k_25 * t_1057;
     float t_1079 = k_26 * t_1041 - k_27 * t_1045 - t_1049 + k_28 * t_1053 + k_29 * t_1057;
     float t_1080 = k_30 * t_1041 - k_31 * t_1045 + t_1049 + k_32 * t_1053 - k_33 * t_1057;
     float t_1081 = k_34 * t_1041 - k_35 * t_1045 + t_1049 - k_36 * t_1053 + k_37 * t_1057;
-    float t_1082 = t_1021 + t_1025 + t_1029 + t_1033 + t_1037;
+    float t_1082 = t_1021 + t_1025 + (t_1029 + (t_1033 + t_1037));
     float t_1083 = t_1029 - k_22 * t_1021 - k_23 * t_1025 + k_24 * t_1033 + k_25 * t_1037;
     float t_1084 = k_26 * t_1021 - k_27 * t_1025 - t_1029 + k_28 * t_1033 + k_29 * t_1037;
     float t_1085 = k_31 * t_1025 - k_30 * t_1021 - t_1029 - k_32 * t_1033 + k_33 * t_1037;
@@ -2037,12 +2037,12 @@ void transfer_apply_l5(float visibility[121], float samples[204], out float resu
     float t_1192 = t_1189 - t_1187;
     float t_1193 = t_1188 + t_1190;
     float t_1194 = t_1188 - t_1190;
-    float t_1195 = t_1042 + t_1046 + t_1050 + t_1054 + t_1058;
+    float t_1195 = t_1042 + t_1046 + (t_1050 + (t_1054 + t_1058));
     float t_1196 = k_22 * t_1042 + k_23 * t_1046 - t_1050 - k_24 * t_1054 - k_25 * t_1058;
     float t_1197 = k_26 * t_1042 - k_27 * t_1046 - t_1050 + k_28 * t_1054 + k_29 * t_1058;
     float t_1198 = k_30 * t_1042 - k_31 * t_1046 + t_1050 + k_32 * t_1054 - k_33 * t_1058;
     float t_1199 = k_34 * t_1042 - k_35 * t_1046 + t_1050 - k_36 * t_1054 + k_37 * t_1058;
-    float t_1200 = t_1022 + t_1026 + t_1030 + t_1034 + t_1038;
+    float t_1200 = t_1022 + t_1026 + (t_1030 + (t_1034 + t_1038));
     float t_1201 = t_1030 - k_22 * t_1022 - k_23 * t_1026 + k_24 * t_1034 + k_25 * t_1038;
     float t_1202 = k_26 * t_1022 - k_27 * t_1026 - t_1030 + k_28 * t_1034 + k_29 * t_1038;
     float t_1203 = k_31 * t_1026 - k_30 * t_1022 - t_1030 - k_32 * t_1034 + k_33 * t_1038;
@@ -2252,12 +2252,12 @@ void transfer_apply_l5(float visibility[121], float samples[204], out float resu
     float t_1399 = t_1396 - t_1394;
     float t_1400 = t_1395 + t_1397;
     float t_1401 = t_1395 - t_1397;
-    float t_1402 = t_1366 + t_1370 + t_1374 + t_1378 + t_1382;
+    float t_1402 = t_1366 + t_1370 + (t_1374 + (t_1378 + t_1382));
     float t_1403 = k_22 * t_1366 + k_23 * t_1370 - t_1374 - k_24 * t_1378 - k_25 * t_1382;
     float t_1404 = k_26 * t_1366 - k_27 * t_1370 - t_1374 + k_28 * t_1378 + k_29 * t_1382;
     float t_1405 = k_30 * t_1366 - k_31 * t_1370 + t_1374 + k_32 * t_1378 - k_33 * t_1382;
     float t_1406 = k_34 * t_1366 - k_35 * t_1370 + t_1374 - k_36 * t_1378 + k_37 * t_1382;
-    float t_1407 = t_1346 + t_1350 + t_1354 + t_1358 + t_1362;
+    float t_1407 = t_1346 + t_1350 + (t_1354 + (t_1358 + t_1362));
     float t_1408 = t_1354 - k_22 * t_1346 - k_23 * t_1350 + k_24 * t_1358 + k_25 * t_1362;
     float t_1409 = k_26 * t_1346 - k_27 * t_1350 - t_1354 + k_28 * t_1358 + k_29 * t_1362;
     float t_1410 = k_31 * t_1350 - k_30 * t_1346 - t_1354 - k_32 * t_1358 + k_33 * t_1362;
@@ -2370,12 +2370,12 @@ void transfer_apply_l5(float visibility[121], float samples[204], out float resu
     float t_1517 = t_1514 - t_1512;
     float t_1518 = t_1513 + t_1515;
     float t_1519 = t_1513 - t_1515;
-    float t_1520 = t_1367 + t_1371 + t_1375 + t_1379 + t_1383;
+    float t_1520 = t_1367 + t_1371 + (t_1375 + (t_1379 + t_1383));
     float t_1521 = k_22 * t_1367 + k_23 * t_1371 - t_1375 - k_24 * t_1379 - k_25 * t_1383;
     float t_1522 = k_26 * t_1367 - k_27 * t_1371 - t_1375 + k_28 * t_1379 + k_29 * t_1383;
     float t_1523 = k_30 * t_1367 - k_31 * t_1371 + t_1375 + k_32 * t_1379 - k_33 * t_1383;
     float t_1524 = k_34 * t_1367 - k_35 * t_1371 + t_1375 - k_36 * t_1379 + k_37 * t_1383;
-    float t_1525 = t_1347 + t_1351 + t_1355 + t_1359 + t_1363;
+    float t_1525 = t_1347 + t_1351 + (t_1355 + (t_1359 + t_1363));
     float t_1526 = t_1355 - k_22 * t_1347 - k_23 * t_1351 + k_24 * t_1359 + k_25 * t_1363;
     float t_1527 = k_26 * t_1347 - k_27 * t_1351 - t_1355 + k_28 * t_1359 + k_29 * t_1363;
     float t_1528 = k_31 * t_1351 - k_30 * t_1347 - t_1355 - k_32 * t_1359 + k_33 * t_1363;

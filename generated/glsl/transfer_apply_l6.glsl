@@ -14,7 +14,7 @@
 // Cost:         2492 multiplications, 4226 additions; longest chain 31; at most 221 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light|, |light| = 1
 //               float   rounding  largest seen 1.1e-07 (0.9 eps)
-//               double  rounding  largest seen 2.0e-16 (0.9 eps)
+//               double  rounding  largest seen 1.5e-16 (0.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
 //               seen:     among 120 visibility (random, of norm 1) with prepared lights (random, of norm 1 in each
@@ -1480,7 +1480,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_131 = t_86 + t_130;
     float t_132 = t_82 + t_94;
     float t_133 = k_29 * (t_82 - k_28 * t_94);
-    float t_134 = t_78 + t_86 + t_90 + t_98 + t_132;
+    float t_134 = t_78 + t_86 + (t_90 + (t_98 + t_132));
     float t_135 = k_30 * t_129 - k_31 * t_131 + t_133;
     float t_136 = k_38 * t_129 + k_39 * t_131 - t_132;
     float t_137 = k_32 * t_78 - k_33 * t_86 - k_34 * t_90 + k_35 * t_98 - t_133;
@@ -1492,7 +1492,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_143 = t_62 + t_142;
     float t_144 = t_58 + t_70;
     float t_145 = k_29 * (t_58 - k_28 * t_70);
-    float t_146 = t_54 + t_62 + t_66 + t_74 + t_144;
+    float t_146 = t_54 + t_62 + (t_66 + (t_74 + t_144));
     float t_147 = k_31 * t_143 - k_30 * t_141 - t_145;
     float t_148 = k_38 * t_141 + k_39 * t_143 - t_144;
     float t_149 = k_32 * t_54 - k_33 * t_62 - k_34 * t_66 + k_35 * t_74 - t_145;
@@ -1646,7 +1646,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_297 = t_87 + t_296;
     float t_298 = t_83 + t_95;
     float t_299 = k_29 * (t_83 - k_28 * t_95);
-    float t_300 = t_79 + t_87 + t_91 + t_99 + t_298;
+    float t_300 = t_79 + t_87 + (t_91 + (t_99 + t_298));
     float t_301 = k_30 * t_295 - k_31 * t_297 + t_299;
     float t_302 = k_38 * t_295 + k_39 * t_297 - t_298;
     float t_303 = k_32 * t_79 - k_33 * t_87 - k_34 * t_91 + k_35 * t_99 - t_299;
@@ -1658,7 +1658,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_309 = t_63 + t_308;
     float t_310 = t_59 + t_71;
     float t_311 = k_29 * (t_59 - k_28 * t_71);
-    float t_312 = t_55 + t_63 + t_67 + t_75 + t_310;
+    float t_312 = t_55 + t_63 + (t_67 + (t_75 + t_310));
     float t_313 = k_31 * t_309 - k_30 * t_307 - t_311;
     float t_314 = k_38 * t_307 + k_39 * t_309 - t_310;
     float t_315 = k_32 * t_55 - k_33 * t_63 - k_34 * t_67 + k_35 * t_75 - t_311;
@@ -1937,7 +1937,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_572 = t_527 + t_571;
     float t_573 = t_523 + t_535;
     float t_574 = k_29 * (t_523 - k_28 * t_535);
-    float t_575 = t_519 + t_527 + t_531 + t_539 + t_573;
+    float t_575 = t_519 + t_527 + (t_531 + (t_539 + t_573));
     float t_576 = k_30 * t_570 - k_31 * t_572 + t_574;
     float t_577 = k_38 * t_570 + k_39 * t_572 - t_573;
     float t_578 = k_32 * t_519 - k_33 * t_527 - k_34 * t_531 + k_35 * t_539 - t_574;
@@ -1949,7 +1949,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_584 = t_503 + t_583;
     float t_585 = t_499 + t_511;
     float t_586 = k_29 * (t_499 - k_28 * t_511);
-    float t_587 = t_495 + t_503 + t_507 + t_515 + t_585;
+    float t_587 = t_495 + t_503 + (t_507 + (t_515 + t_585));
     float t_588 = k_31 * t_584 - k_30 * t_582 - t_586;
     float t_589 = k_38 * t_582 + k_39 * t_584 - t_585;
     float t_590 = k_32 * t_495 - k_33 * t_503 - k_34 * t_507 + k_35 * t_515 - t_586;
@@ -2103,7 +2103,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_738 = t_528 + t_737;
     float t_739 = t_524 + t_536;
     float t_740 = k_29 * (t_524 - k_28 * t_536);
-    float t_741 = t_520 + t_528 + t_532 + t_540 + t_739;
+    float t_741 = t_520 + t_528 + (t_532 + (t_540 + t_739));
     float t_742 = k_30 * t_736 - k_31 * t_738 + t_740;
     float t_743 = k_38 * t_736 + k_39 * t_738 - t_739;
     float t_744 = k_32 * t_520 - k_33 * t_528 - k_34 * t_532 + k_35 * t_540 - t_740;
@@ -2115,7 +2115,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_750 = t_504 + t_749;
     float t_751 = t_500 + t_512;
     float t_752 = k_29 * (t_500 - k_28 * t_512);
-    float t_753 = t_496 + t_504 + t_508 + t_516 + t_751;
+    float t_753 = t_496 + t_504 + (t_508 + (t_516 + t_751));
     float t_754 = k_31 * t_750 - k_30 * t_748 - t_752;
     float t_755 = k_38 * t_748 + k_39 * t_750 - t_751;
     float t_756 = k_32 * t_496 - k_33 * t_504 - k_34 * t_508 + k_35 * t_516 - t_752;
@@ -2394,7 +2394,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_1013 = t_968 + t_1012;
     float t_1014 = t_964 + t_976;
     float t_1015 = k_29 * (t_964 - k_28 * t_976);
-    float t_1016 = t_960 + t_968 + t_972 + t_980 + t_1014;
+    float t_1016 = t_960 + t_968 + (t_972 + (t_980 + t_1014));
     float t_1017 = k_30 * t_1011 - k_31 * t_1013 + t_1015;
     float t_1018 = k_38 * t_1011 + k_39 * t_1013 - t_1014;
     float t_1019 = k_32 * t_960 - k_33 * t_968 - k_34 * t_972 + k_35 * t_980 - t_1015;
@@ -2406,7 +2406,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_1025 = t_944 + t_1024;
     float t_1026 = t_940 + t_952;
     float t_1027 = k_29 * (t_940 - k_28 * t_952);
-    float t_1028 = t_936 + t_944 + t_948 + t_956 + t_1026;
+    float t_1028 = t_936 + t_944 + (t_948 + (t_956 + t_1026));
     float t_1029 = k_31 * t_1025 - k_30 * t_1023 - t_1027;
     float t_1030 = k_38 * t_1023 + k_39 * t_1025 - t_1026;
     float t_1031 = k_32 * t_936 - k_33 * t_944 - k_34 * t_948 + k_35 * t_956 - t_1027;
@@ -2560,7 +2560,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_1179 = t_969 + t_1178;
     float t_1180 = t_965 + t_977;
     float t_1181 = k_29 * (t_965 - k_28 * t_977);
-    float t_1182 = t_961 + t_969 + t_973 + t_981 + t_1180;
+    float t_1182 = t_961 + t_969 + (t_973 + (t_981 + t_1180));
     float t_1183 = k_30 * t_1177 - k_31 * t_1179 + t_1181;
     float t_1184 = k_38 * t_1177 + k_39 * t_1179 - t_1180;
     float t_1185 = k_32 * t_961 - k_33 * t_969 - k_34 * t_973 + k_35 * t_981 - t_1181;
@@ -2572,7 +2572,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_1191 = t_945 + t_1190;
     float t_1192 = t_941 + t_953;
     float t_1193 = k_29 * (t_941 - k_28 * t_953);
-    float t_1194 = t_937 + t_945 + t_949 + t_957 + t_1192;
+    float t_1194 = t_937 + t_945 + (t_949 + (t_957 + t_1192));
     float t_1195 = k_31 * t_1191 - k_30 * t_1189 - t_1193;
     float t_1196 = k_38 * t_1189 + k_39 * t_1191 - t_1192;
     float t_1197 = k_32 * t_937 - k_33 * t_945 - k_34 * t_949 + k_35 * t_957 - t_1193;
@@ -2855,7 +2855,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_1454 = t_1409 + t_1453;
     float t_1455 = t_1405 + t_1417;
     float t_1456 = k_29 * (t_1405 - k_28 * t_1417);
-    float t_1457 = t_1401 + t_1409 + t_1413 + t_1421 + t_1455;
+    float t_1457 = t_1401 + t_1409 + (t_1413 + (t_1421 + t_1455));
     float t_1458 = k_30 * t_1452 - k_31 * t_1454 + t_1456;
     float t_1459 = k_38 * t_1452 + k_39 * t_1454 - t_1455;
     float t_1460 = k_32 * t_1401 - k_33 * t_1409 - k_34 * t_1413 + k_35 * t_1421 - t_1456;
@@ -2867,7 +2867,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_1466 = t_1385 + t_1465;
     float t_1467 = t_1381 + t_1393;
     float t_1468 = k_29 * (t_1381 - k_28 * t_1393);
-    float t_1469 = t_1377 + t_1385 + t_1389 + t_1397 + t_1467;
+    float t_1469 = t_1377 + t_1385 + (t_1389 + (t_1397 + t_1467));
     float t_1470 = k_31 * t_1466 - k_30 * t_1464 - t_1468;
     float t_1471 = k_38 * t_1464 + k_39 * t_1466 - t_1467;
     float t_1472 = k_32 * t_1377 - k_33 * t_1385 - k_34 * t_1389 + k_35 * t_1397 - t_1468;
@@ -3021,7 +3021,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_1620 = t_1410 + t_1619;
     float t_1621 = t_1406 + t_1418;
     float t_1622 = k_29 * (t_1406 - k_28 * t_1418);
-    float t_1623 = t_1402 + t_1410 + t_1414 + t_1422 + t_1621;
+    float t_1623 = t_1402 + t_1410 + (t_1414 + (t_1422 + t_1621));
     float t_1624 = k_30 * t_1618 - k_31 * t_1620 + t_1622;
     float t_1625 = k_38 * t_1618 + k_39 * t_1620 - t_1621;
     float t_1626 = k_32 * t_1402 - k_33 * t_1410 - k_34 * t_1414 + k_35 * t_1422 - t_1622;
@@ -3033,7 +3033,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_1632 = t_1386 + t_1631;
     float t_1633 = t_1382 + t_1394;
     float t_1634 = k_29 * (t_1382 - k_28 * t_1394);
-    float t_1635 = t_1378 + t_1386 + t_1390 + t_1398 + t_1633;
+    float t_1635 = t_1378 + t_1386 + (t_1390 + (t_1398 + t_1633));
     float t_1636 = k_31 * t_1632 - k_30 * t_1630 - t_1634;
     float t_1637 = k_38 * t_1630 + k_39 * t_1632 - t_1633;
     float t_1638 = k_32 * t_1378 - k_33 * t_1386 - k_34 * t_1390 + k_35 * t_1398 - t_1634;
@@ -3318,7 +3318,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_1895 = t_1850 + t_1894;
     float t_1896 = t_1846 + t_1858;
     float t_1897 = k_29 * (t_1846 - k_28 * t_1858);
-    float t_1898 = t_1842 + t_1850 + t_1854 + t_1862 + t_1896;
+    float t_1898 = t_1842 + t_1850 + (t_1854 + (t_1862 + t_1896));
     float t_1899 = k_30 * t_1893 - k_31 * t_1895 + t_1897;
     float t_1900 = k_38 * t_1893 + k_39 * t_1895 - t_1896;
     float t_1901 = k_32 * t_1842 - k_33 * t_1850 - k_34 * t_1854 + k_35 * t_1862 - t_1897;
@@ -3330,7 +3330,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_1907 = t_1826 + t_1906;
     float t_1908 = t_1822 + t_1834;
     float t_1909 = k_29 * (t_1822 - k_28 * t_1834);
-    float t_1910 = t_1818 + t_1826 + t_1830 + t_1838 + t_1908;
+    float t_1910 = t_1818 + t_1826 + (t_1830 + (t_1838 + t_1908));
     float t_1911 = k_31 * t_1907 - k_30 * t_1905 - t_1909;
     float t_1912 = k_38 * t_1905 + k_39 * t_1907 - t_1908;
     float t_1913 = k_32 * t_1818 - k_33 * t_1826 - k_34 * t_1830 + k_35 * t_1838 - t_1909;
@@ -3484,7 +3484,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_2061 = t_1851 + t_2060;
     float t_2062 = t_1847 + t_1859;
     float t_2063 = k_29 * (t_1847 - k_28 * t_1859);
-    float t_2064 = t_1843 + t_1851 + t_1855 + t_1863 + t_2062;
+    float t_2064 = t_1843 + t_1851 + (t_1855 + (t_1863 + t_2062));
     float t_2065 = k_30 * t_2059 - k_31 * t_2061 + t_2063;
     float t_2066 = k_38 * t_2059 + k_39 * t_2061 - t_2062;
     float t_2067 = k_32 * t_1843 - k_33 * t_1851 - k_34 * t_1855 + k_35 * t_1863 - t_2063;
@@ -3496,7 +3496,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_2073 = t_1827 + t_2072;
     float t_2074 = t_1823 + t_1835;
     float t_2075 = k_29 * (t_1823 - k_28 * t_1835);
-    float t_2076 = t_1819 + t_1827 + t_1831 + t_1839 + t_2074;
+    float t_2076 = t_1819 + t_1827 + (t_1831 + (t_1839 + t_2074));
     float t_2077 = k_31 * t_2073 - k_30 * t_2071 - t_2075;
     float t_2078 = k_38 * t_2071 + k_39 * t_2073 - t_2074;
     float t_2079 = k_32 * t_1819 - k_33 * t_1827 - k_34 * t_1831 + k_35 * t_1839 - t_2075;
@@ -3783,7 +3783,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_2336 = t_2291 + t_2335;
     float t_2337 = t_2287 + t_2299;
     float t_2338 = k_29 * (t_2287 - k_28 * t_2299);
-    float t_2339 = t_2283 + t_2291 + t_2295 + t_2303 + t_2337;
+    float t_2339 = t_2283 + t_2291 + (t_2295 + (t_2303 + t_2337));
     float t_2340 = k_30 * t_2334 - k_31 * t_2336 + t_2338;
     float t_2341 = k_38 * t_2334 + k_39 * t_2336 - t_2337;
     float t_2342 = k_32 * t_2283 - k_33 * t_2291 - k_34 * t_2295 + k_35 * t_2303 - t_2338;
@@ -3795,7 +3795,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_2348 = t_2267 + t_2347;
     float t_2349 = t_2263 + t_2275;
     float t_2350 = k_29 * (t_2263 - k_28 * t_2275);
-    float t_2351 = t_2259 + t_2267 + t_2271 + t_2279 + t_2349;
+    float t_2351 = t_2259 + t_2267 + (t_2271 + (t_2279 + t_2349));
     float t_2352 = k_31 * t_2348 - k_30 * t_2346 - t_2350;
     float t_2353 = k_38 * t_2346 + k_39 * t_2348 - t_2349;
     float t_2354 = k_32 * t_2259 - k_33 * t_2267 - k_34 * t_2271 + k_35 * t_2279 - t_2350;
@@ -3949,7 +3949,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_2502 = t_2292 + t_2501;
     float t_2503 = t_2288 + t_2300;
     float t_2504 = k_29 * (t_2288 - k_28 * t_2300);
-    float t_2505 = t_2284 + t_2292 + t_2296 + t_2304 + t_2503;
+    float t_2505 = t_2284 + t_2292 + (t_2296 + (t_2304 + t_2503));
     float t_2506 = k_30 * t_2500 - k_31 * t_2502 + t_2504;
     float t_2507 = k_38 * t_2500 + k_39 * t_2502 - t_2503;
     float t_2508 = k_32 * t_2284 - k_33 * t_2292 - k_34 * t_2296 + k_35 * t_2304 - t_2504;
@@ -3961,7 +3961,7 @@ void transfer_apply_l6(float visibility[169], float samples[292], out float resu
     float t_2514 = t_2268 + t_2513;
     float t_2515 = t_2264 + t_2276;
     float t_2516 = k_29 * (t_2264 - k_28 * t_2276);
-    float t_2517 = t_2260 + t_2268 + t_2272 + t_2280 + t_2515;
+    float t_2517 = t_2260 + t_2268 + (t_2272 + (t_2280 + t_2515));
     float t_2518 = k_31 * t_2514 - k_30 * t_2512 - t_2516;
     float t_2519 = k_38 * t_2512 + k_39 * t_2514 - t_2515;
     float t_2520 = k_32 * t_2260 - k_33 * t_2268 - k_34 * t_2272 + k_35 * t_2280 - t_2516;

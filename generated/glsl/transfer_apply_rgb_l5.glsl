@@ -13,8 +13,8 @@
 //               z2, ...: square roots of the zeros of the Jacobi polynomial P_5^(1,-1/2)(2t-1), falling
 // Cost:         2887 multiplications, 4922 additions; longest chain 29; at most 253 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light|, |light| = 1
-//               float   rounding  largest seen 9.2e-08 (0.8 eps)
-//               double  rounding  largest seen 1.4e-16 (0.6 eps)
+//               float   rounding  largest seen 7.6e-08 (0.6 eps)
+//               double  rounding  largest seen 1.5e-16 (0.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
 //               seen:     among 120 visibility (random, of norm 1) with prepared lights (random, of norm 1 in each
@@ -930,12 +930,12 @@ void transfer_apply_rgb_l5(float visibility[121], float samples[612], out float 
     float t_109 = t_106 - t_104;
     float t_110 = t_105 + t_107;
     float t_111 = t_105 - t_107;
-    float t_112 = t_76 + t_80 + t_84 + t_88 + t_92;
+    float t_112 = t_76 + t_80 + (t_84 + (t_88 + t_92));
     float t_113 = k_22 * t_76 + k_23 * t_80 - t_84 - k_24 * t_88 - k_25 * t_92;
     float t_114 = k_26 * t_76 - k_27 * t_80 - t_84 + k_28 * t_88 + k_29 * t_92;
     float t_115 = k_30 * t_76 - k_31 * t_80 + t_84 + k_32 * t_88 - k_33 * t_92;
     float t_116 = k_34 * t_76 - k_35 * t_80 + t_84 - k_36 * t_88 + k_37 * t_92;
-    float t_117 = t_56 + t_60 + t_64 + t_68 + t_72;
+    float t_117 = t_56 + t_60 + (t_64 + (t_68 + t_72));
     float t_118 = t_64 - k_22 * t_56 - k_23 * t_60 + k_24 * t_68 + k_25 * t_72;
     float t_119 = k_26 * t_56 - k_27 * t_60 - t_64 + k_28 * t_68 + k_29 * t_72;
     float t_120 = k_31 * t_60 - k_30 * t_56 - t_64 - k_32 * t_68 + k_33 * t_72;
@@ -1208,12 +1208,12 @@ void transfer_apply_rgb_l5(float visibility[121], float samples[612], out float 
     float t_387 = t_384 - t_382;
     float t_388 = t_383 + t_385;
     float t_389 = t_383 - t_385;
-    float t_390 = t_77 + t_81 + t_85 + t_89 + t_93;
+    float t_390 = t_77 + t_81 + (t_85 + (t_89 + t_93));
     float t_391 = k_22 * t_77 + k_23 * t_81 - t_85 - k_24 * t_89 - k_25 * t_93;
     float t_392 = k_26 * t_77 - k_27 * t_81 - t_85 + k_28 * t_89 + k_29 * t_93;
     float t_393 = k_30 * t_77 - k_31 * t_81 + t_85 + k_32 * t_89 - k_33 * t_93;
     float t_394 = k_34 * t_77 - k_35 * t_81 + t_85 - k_36 * t_89 + k_37 * t_93;
-    float t_395 = t_57 + t_61 + t_65 + t_69 + t_73;
+    float t_395 = t_57 + t_61 + (t_65 + (t_69 + t_73));
     float t_396 = t_65 - k_22 * t_57 - k_23 * t_61 + k_24 * t_69 + k_25 * t_73;
     float t_397 = k_26 * t_57 - k_27 * t_61 - t_65 + k_28 * t_69 + k_29 * t_73;
     float t_398 = k_31 * t_61 - k_30 * t_57 - t_65 - k_32 * t_69 + k_33 * t_73;
@@ -1607,12 +1607,12 @@ void transfer_apply_rgb_l5(float visibility[121], float samples[612], out float 
     float t_778 = t_775 - t_773;
     float t_779 = t_774 + t_776;
     float t_780 = t_774 - t_776;
-    float t_781 = t_745 + t_749 + t_753 + t_757 + t_761;
+    float t_781 = t_745 + t_749 + (t_753 + (t_757 + t_761));
     float t_782 = k_22 * t_745 + k_23 * t_749 - t_753 - k_24 * t_757 - k_25 * t_761;
     float t_783 = k_26 * t_745 - k_27 * t_749 - t_753 + k_28 * t_757 + k_29 * t_761;
     float t_784 = k_30 * t_745 - k_31 * t_749 + t_753 + k_32 * t_757 - k_33 * t_761;
     float t_785 = k_34 * t_745 - k_35 * t_749 + t_753 - k_36 * t_757 + k_37 * t_761;
-    float t_786 = t_725 + t_729 + t_733 + t_737 + t_741;
+    float t_786 = t_725 + t_729 + (t_733 + (t_737 + t_741));
     float t_787 = t_733 - k_22 * t_725 - k_23 * t_729 + k_24 * t_737 + k_25 * t_741;
     float t_788 = k_26 * t_725 - k_27 * t_729 - t_733 + k_28 * t_737 + k_29 * t_741;
     float t_789 = k_31 * t_729 - k_30 * t_725 - t_733 - k_32 * t_737 + k_33 * t_741;
@@ -1885,12 +1885,12 @@ void transfer_apply_rgb_l5(float visibility[121], float samples[612], out float 
     float t_1056 = t_1053 - t_1051;
     float t_1057 = t_1052 + t_1054;
     float t_1058 = t_1052 - t_1054;
-    float t_1059 = t_746 + t_750 + t_754 + t_758 + t_762;
+    float t_1059 = t_746 + t_750 + (t_754 + (t_758 + t_762));
     float t_1060 = k_22 * t_746 + k_23 * t_750 - t_754 - k_24 * t_758 - k_25 * t_762;
     float t_1061 = k_26 * t_746 - k_27 * t_750 - t_754 + k_28 * t_758 + k_29 * t_762;
     float t_1062 = k_30 * t_746 - k_31 * t_750 + t_754 + k_32 * t_758 - k_33 * t_762;
     float t_1063 = k_34 * t_746 - k_35 * t_750 + t_754 - k_36 * t_758 + k_37 * t_762;
-    float t_1064 = t_726 + t_730 + t_734 + t_738 + t_742;
+    float t_1064 = t_726 + t_730 + (t_734 + (t_738 + t_742));
     float t_1065 = t_734 - k_22 * t_726 - k_23 * t_730 + k_24 * t_738 + k_25 * t_742;
     float t_1066 = k_26 * t_726 - k_27 * t_730 - t_734 + k_28 * t_738 + k_29 * t_742;
     float t_1067 = k_31 * t_730 - k_30 * t_726 - t_734 - k_32 * t_738 + k_33 * t_742;
@@ -2284,12 +2284,12 @@ void transfer_apply_rgb_l5(float visibility[121], float samples[612], out float 
     float t_1447 = t_1444 - t_1442;
     float t_1448 = t_1443 + t_1445;
     float t_1449 = t_1443 - t_1445;
-    float t_1450 = t_1414 + t_1418 + t_1422 + t_1426 + t_1430;
+    float t_1450 = t_1414 + t_1418 + (t_1422 + (t_1426 + t_1430));
     float t_1451 = k_22 * t_1414 + k_23 * t_1418 - t_1422 - k_24 * t_1426 - k_25 * t_1430;
     float t_1452 = k_26 * t_1414 - k_27 * t_1418 - t_1422 + k_28 * t_1426 + k_29 * t_1430;
     float t_1453 = k_30 * t_1414 - k_31 * t_1418 + t_1422 + k_32 * t_1426 - k_33 * t_1430;
     float t_1454 = k_34 * t_1414 - k_35 * t_1418 + t_1422 - k_36 * t_1426 + k_37 * t_1430;
-    float t_1455 = t_1394 + t_1398 + t_1402 + t_1406 + t_1410;
+    float t_1455 = t_1394 + t_1398 + (t_1402 + (t_1406 + t_1410));
     float t_1456 = t_1402 - k_22 * t_1394 - k_23 * t_1398 + k_24 * t_1406 + k_25 * t_1410;
     float t_1457 = k_26 * t_1394 - k_27 * t_1398 - t_1402 + k_28 * t_1406 + k_29 * t_1410;
     float t_1458 = k_31 * t_1398 - k_30 * t_1394 - t_1402 - k_32 * t_1406 + k_33 * t_1410;
@@ -2562,12 +2562,12 @@ void transfer_apply_rgb_l5(float visibility[121], float samples[612], out float 
     float t_1725 = t_1722 - t_1720;
     float t_1726 = t_1721 + t_1723;
     float t_1727 = t_1721 - t_1723;
-    float t_1728 = t_1415 + t_1419 + t_1423 + t_1427 + t_1431;
+    float t_1728 = t_1415 + t_1419 + (t_1423 + (t_1427 + t_1431));
     float t_1729 = k_22 * t_1415 + k_23 * t_1419 - t_1423 - k_24 * t_1427 - k_25 * t_1431;
     float t_1730 = k_26 * t_1415 - k_27 * t_1419 - t_1423 + k_28 * t_1427 + k_29 * t_1431;
     float t_1731 = k_30 * t_1415 - k_31 * t_1419 + t_1423 + k_32 * t_1427 - k_33 * t_1431;
     float t_1732 = k_34 * t_1415 - k_35 * t_1419 + t_1423 - k_36 * t_1427 + k_37 * t_1431;
-    float t_1733 = t_1395 + t_1399 + t_1403 + t_1407 + t_1411;
+    float t_1733 = t_1395 + t_1399 + (t_1403 + (t_1407 + t_1411));
     float t_1734 = t_1403 - k_22 * t_1395 - k_23 * t_1399 + k_24 * t_1407 + k_25 * t_1411;
     float t_1735 = k_26 * t_1395 - k_27 * t_1399 - t_1403 + k_28 * t_1407 + k_29 * t_1411;
     float t_1736 = k_31 * t_1399 - k_30 * t_1395 - t_1403 - k_32 * t_1407 + k_33 * t_1411;
@@ -2961,12 +2961,12 @@ void transfer_apply_rgb_l5(float visibility[121], float samples[612], out float 
     float t_2116 = t_2113 - t_2111;
     float t_2117 = t_2112 + t_2114;
     float t_2118 = t_2112 - t_2114;
-    float t_2119 = t_2083 + t_2087 + t_2091 + t_2095 + t_2099;
+    float t_2119 = t_2083 + t_2087 + (t_2091 + (t_2095 + t_2099));
     float t_2120 = k_22 * t_2083 + k_23 * t_2087 - t_2091 - k_24 * t_2095 - k_25 * t_2099;
     float t_2121 = k_26 * t_2083 - k_27 * t_2087 - t_2091 + k_28 * t_2095 + k_29 * t_2099;
     float t_2122 = k_30 * t_2083 - k_31 * t_2087 + t_2091 + k_32 * t_2095 - k_33 * t_2099;
     float t_2123 = k_34 * t_2083 - k_35 * t_2087 + t_2091 - k_36 * t_2095 + k_37 * t_2099;
-    float t_2124 = t_2063 + t_2067 + t_2071 + t_2075 + t_2079;
+    float t_2124 = t_2063 + t_2067 + (t_2071 + (t_2075 + t_2079));
     float t_2125 = t_2071 - k_22 * t_2063 - k_23 * t_2067 + k_24 * t_2075 + k_25 * t_2079;
     float t_2126 = k_26 * t_2063 - k_27 * t_2067 - t_2071 + k_28 * t_2075 + k_29 * t_2079;
     float t_2127 = k_31 * t_2067 - k_30 * t_2063 - t_2071 - k_32 * t_2075 + k_33 * t_2079;
@@ -3239,12 +3239,12 @@ void transfer_apply_rgb_l5(float visibility[121], float samples[612], out float 
     float t_2394 = t_2391 - t_2389;
     float t_2395 = t_2390 + t_2392;
     float t_2396 = t_2390 - t_2392;
-    float t_2397 = t_2084 + t_2088 + t_2092 + t_2096 + t_2100;
+    float t_2397 = t_2084 + t_2088 + (t_2092 + (t_2096 + t_2100));
     float t_2398 = k_22 * t_2084 + k_23 * t_2088 - t_2092 - k_24 * t_2096 - k_25 * t_2100;
     float t_2399 = k_26 * t_2084 - k_27 * t_2088 - t_2092 + k_28 * t_2096 + k_29 * t_2100;
     float t_2400 = k_30 * t_2084 - k_31 * t_2088 + t_2092 + k_32 * t_2096 - k_33 * t_2100;
     float t_2401 = k_34 * t_2084 - k_35 * t_2088 + t_2092 - k_36 * t_2096 + k_37 * t_2100;
-    float t_2402 = t_2064 + t_2068 + t_2072 + t_2076 + t_2080;
+    float t_2402 = t_2064 + t_2068 + (t_2072 + (t_2076 + t_2080));
     float t_2403 = t_2072 - k_22 * t_2064 - k_23 * t_2068 + k_24 * t_2076 + k_25 * t_2080;
     float t_2404 = k_26 * t_2064 - k_27 * t_2068 - t_2072 + k_28 * t_2076 + k_29 * t_2080;
     float t_2405 = k_31 * t_2068 - k_30 * t_2064 - t_2072 - k_32 * t_2076 + k_33 * t_2080;
@@ -3638,12 +3638,12 @@ void transfer_apply_rgb_l5(float visibility[121], float samples[612], out float 
     float t_2785 = t_2782 - t_2780;
     float t_2786 = t_2781 + t_2783;
     float t_2787 = t_2781 - t_2783;
-    float t_2788 = t_2752 + t_2756 + t_2760 + t_2764 + t_2768;
+    float t_2788 = t_2752 + t_2756 + (t_2760 + (t_2764 + t_2768));
     float t_2789 = k_22 * t_2752 + k_23 * t_2756 - t_2760 - k_24 * t_2764 - k_25 * t_2768;
     float t_2790 = k_26 * t_2752 - k_27 * t_2756 - t_2760 + k_28 * t_2764 + k_29 * t_2768;
     float t_2791 = k_30 * t_2752 - k_31 * t_2756 + t_2760 + k_32 * t_2764 - k_33 * t_2768;
     float t_2792 = k_34 * t_2752 - k_35 * t_2756 + t_2760 - k_36 * t_2764 + k_37 * t_2768;
-    float t_2793 = t_2732 + t_2736 + t_2740 + t_2744 + t_2748;
+    float t_2793 = t_2732 + t_2736 + (t_2740 + (t_2744 + t_2748));
     float t_2794 = t_2740 - k_22 * t_2732 - k_23 * t_2736 + k_24 * t_2744 + k_25 * t_2748;
     float t_2795 = k_26 * t_2732 - k_27 * t_2736 - t_2740 + k_28 * t_2744 + k_29 * t_2748;
     float t_2796 = k_31 * t_2736 - k_30 * t_2732 - t_2740 - k_32 * t_2744 + k_33 * t_2748;
@@ -3916,12 +3916,12 @@ void transfer_apply_rgb_l5(float visibility[121], float samples[612], out float 
     float t_3063 = t_3060 - t_3058;
     float t_3064 = t_3059 + t_3061;
     float t_3065 = t_3059 - t_3061;
-    float t_3066 = t_2753 + t_2757 + t_2761 + t_2765 + t_2769;
+    float t_3066 = t_2753 + t_2757 + (t_2761 + (t_2765 + t_2769));
     float t_3067 = k_22 * t_2753 + k_23 * t_2757 - t_2761 - k_24 * t_2765 - k_25 * t_2769;
     float t_3068 = k_26 * t_2753 - k_27 * t_2757 - t_2761 + k_28 * t_2765 + k_29 * t_2769;
     float t_3069 = k_30 * t_2753 - k_31 * t_2757 + t_2761 + k_32 * t_2765 - k_33 * t_2769;
     float t_3070 = k_34 * t_2753 - k_35 * t_2757 + t_2761 - k_36 * t_2765 + k_37 * t_2769;
-    float t_3071 = t_2733 + t_2737 + t_2741 + t_2745 + t_2749;
+    float t_3071 = t_2733 + t_2737 + (t_2741 + (t_2745 + t_2749));
     float t_3072 = t_2741 - k_22 * t_2733 - k_23 * t_2737 + k_24 * t_2745 + k_25 * t_2749;
     float t_3073 = k_26 * t_2733 - k_27 * t_2737 - t_2741 + k_28 * t_2745 + k_29 * t_2749;
     float t_3074 = k_31 * t_2737 - k_30 * t_2733 - t_2741 - k_32 * t_2745 + k_33 * t_2749;

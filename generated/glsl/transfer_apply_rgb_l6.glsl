@@ -13,8 +13,8 @@
 //               z2, ...: square roots of the zeros of the Jacobi polynomial P_6^(1,-1/2)(2t-1), falling
 // Cost:         4330 multiplications, 7576 additions; longest chain 31; at most 325 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light|, |light| = 1
-//               float   rounding  largest seen 8.2e-08 (0.7 eps)
-//               double  rounding  largest seen 1.4e-16 (0.6 eps)
+//               float   rounding  largest seen 8.6e-08 (0.7 eps)
+//               double  rounding  largest seen 1.5e-16 (0.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
 //               seen:     among 120 visibility (random, of norm 1) with prepared lights (random, of norm 1 in each
@@ -1490,7 +1490,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_141 = t_96 + t_140;
     float t_142 = t_92 + t_104;
     float t_143 = k_29 * (t_92 - k_28 * t_104);
-    float t_144 = t_88 + t_96 + t_100 + t_108 + t_142;
+    float t_144 = t_88 + t_96 + (t_100 + (t_108 + t_142));
     float t_145 = k_30 * t_139 - k_31 * t_141 + t_143;
     float t_146 = k_38 * t_139 + k_39 * t_141 - t_142;
     float t_147 = k_32 * t_88 - k_33 * t_96 - k_34 * t_100 + k_35 * t_108 - t_143;
@@ -1502,7 +1502,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_153 = t_72 + t_152;
     float t_154 = t_68 + t_80;
     float t_155 = k_29 * (t_68 - k_28 * t_80);
-    float t_156 = t_64 + t_72 + t_76 + t_84 + t_154;
+    float t_156 = t_64 + t_72 + (t_76 + (t_84 + t_154));
     float t_157 = k_31 * t_153 - k_30 * t_151 - t_155;
     float t_158 = k_38 * t_151 + k_39 * t_153 - t_154;
     float t_159 = k_32 * t_64 - k_33 * t_72 - k_34 * t_76 + k_35 * t_84 - t_155;
@@ -1860,7 +1860,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_511 = t_97 + t_510;
     float t_512 = t_93 + t_105;
     float t_513 = k_29 * (t_93 - k_28 * t_105);
-    float t_514 = t_89 + t_97 + t_101 + t_109 + t_512;
+    float t_514 = t_89 + t_97 + (t_101 + (t_109 + t_512));
     float t_515 = k_30 * t_509 - k_31 * t_511 + t_513;
     float t_516 = k_38 * t_509 + k_39 * t_511 - t_512;
     float t_517 = k_32 * t_89 - k_33 * t_97 - k_34 * t_101 + k_35 * t_109 - t_513;
@@ -1872,7 +1872,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_523 = t_73 + t_522;
     float t_524 = t_69 + t_81;
     float t_525 = k_29 * (t_69 - k_28 * t_81);
-    float t_526 = t_65 + t_73 + t_77 + t_85 + t_524;
+    float t_526 = t_65 + t_73 + (t_77 + (t_85 + t_524));
     float t_527 = k_31 * t_523 - k_30 * t_521 - t_525;
     float t_528 = k_38 * t_521 + k_39 * t_523 - t_524;
     float t_529 = k_32 * t_65 - k_33 * t_73 - k_34 * t_77 + k_35 * t_85 - t_525;
@@ -2387,7 +2387,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_1022 = t_977 + t_1021;
     float t_1023 = t_973 + t_985;
     float t_1024 = k_29 * (t_973 - k_28 * t_985);
-    float t_1025 = t_969 + t_977 + t_981 + t_989 + t_1023;
+    float t_1025 = t_969 + t_977 + (t_981 + (t_989 + t_1023));
     float t_1026 = k_30 * t_1020 - k_31 * t_1022 + t_1024;
     float t_1027 = k_38 * t_1020 + k_39 * t_1022 - t_1023;
     float t_1028 = k_32 * t_969 - k_33 * t_977 - k_34 * t_981 + k_35 * t_989 - t_1024;
@@ -2399,7 +2399,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_1034 = t_953 + t_1033;
     float t_1035 = t_949 + t_961;
     float t_1036 = k_29 * (t_949 - k_28 * t_961);
-    float t_1037 = t_945 + t_953 + t_957 + t_965 + t_1035;
+    float t_1037 = t_945 + t_953 + (t_957 + (t_965 + t_1035));
     float t_1038 = k_31 * t_1034 - k_30 * t_1032 - t_1036;
     float t_1039 = k_38 * t_1032 + k_39 * t_1034 - t_1035;
     float t_1040 = k_32 * t_945 - k_33 * t_953 - k_34 * t_957 + k_35 * t_965 - t_1036;
@@ -2757,7 +2757,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_1392 = t_978 + t_1391;
     float t_1393 = t_974 + t_986;
     float t_1394 = k_29 * (t_974 - k_28 * t_986);
-    float t_1395 = t_970 + t_978 + t_982 + t_990 + t_1393;
+    float t_1395 = t_970 + t_978 + (t_982 + (t_990 + t_1393));
     float t_1396 = k_30 * t_1390 - k_31 * t_1392 + t_1394;
     float t_1397 = k_38 * t_1390 + k_39 * t_1392 - t_1393;
     float t_1398 = k_32 * t_970 - k_33 * t_978 - k_34 * t_982 + k_35 * t_990 - t_1394;
@@ -2769,7 +2769,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_1404 = t_954 + t_1403;
     float t_1405 = t_950 + t_962;
     float t_1406 = k_29 * (t_950 - k_28 * t_962);
-    float t_1407 = t_946 + t_954 + t_958 + t_966 + t_1405;
+    float t_1407 = t_946 + t_954 + (t_958 + (t_966 + t_1405));
     float t_1408 = k_31 * t_1404 - k_30 * t_1402 - t_1406;
     float t_1409 = k_38 * t_1402 + k_39 * t_1404 - t_1405;
     float t_1410 = k_32 * t_946 - k_33 * t_954 - k_34 * t_958 + k_35 * t_966 - t_1406;
@@ -3288,7 +3288,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_1903 = t_1858 + t_1902;
     float t_1904 = t_1854 + t_1866;
     float t_1905 = k_29 * (t_1854 - k_28 * t_1866);
-    float t_1906 = t_1850 + t_1858 + t_1862 + t_1870 + t_1904;
+    float t_1906 = t_1850 + t_1858 + (t_1862 + (t_1870 + t_1904));
     float t_1907 = k_30 * t_1901 - k_31 * t_1903 + t_1905;
     float t_1908 = k_38 * t_1901 + k_39 * t_1903 - t_1904;
     float t_1909 = k_32 * t_1850 - k_33 * t_1858 - k_34 * t_1862 + k_35 * t_1870 - t_1905;
@@ -3300,7 +3300,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_1915 = t_1834 + t_1914;
     float t_1916 = t_1830 + t_1842;
     float t_1917 = k_29 * (t_1830 - k_28 * t_1842);
-    float t_1918 = t_1826 + t_1834 + t_1838 + t_1846 + t_1916;
+    float t_1918 = t_1826 + t_1834 + (t_1838 + (t_1846 + t_1916));
     float t_1919 = k_31 * t_1915 - k_30 * t_1913 - t_1917;
     float t_1920 = k_38 * t_1913 + k_39 * t_1915 - t_1916;
     float t_1921 = k_32 * t_1826 - k_33 * t_1834 - k_34 * t_1838 + k_35 * t_1846 - t_1917;
@@ -3658,7 +3658,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_2273 = t_1859 + t_2272;
     float t_2274 = t_1855 + t_1867;
     float t_2275 = k_29 * (t_1855 - k_28 * t_1867);
-    float t_2276 = t_1851 + t_1859 + t_1863 + t_1871 + t_2274;
+    float t_2276 = t_1851 + t_1859 + (t_1863 + (t_1871 + t_2274));
     float t_2277 = k_30 * t_2271 - k_31 * t_2273 + t_2275;
     float t_2278 = k_38 * t_2271 + k_39 * t_2273 - t_2274;
     float t_2279 = k_32 * t_1851 - k_33 * t_1859 - k_34 * t_1863 + k_35 * t_1871 - t_2275;
@@ -3670,7 +3670,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_2285 = t_1835 + t_2284;
     float t_2286 = t_1831 + t_1843;
     float t_2287 = k_29 * (t_1831 - k_28 * t_1843);
-    float t_2288 = t_1827 + t_1835 + t_1839 + t_1847 + t_2286;
+    float t_2288 = t_1827 + t_1835 + (t_1839 + (t_1847 + t_2286));
     float t_2289 = k_31 * t_2285 - k_30 * t_2283 - t_2287;
     float t_2290 = k_38 * t_2283 + k_39 * t_2285 - t_2286;
     float t_2291 = k_32 * t_1827 - k_33 * t_1835 - k_34 * t_1839 + k_35 * t_1847 - t_2287;
@@ -4189,7 +4189,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_2784 = t_2739 + t_2783;
     float t_2785 = t_2735 + t_2747;
     float t_2786 = k_29 * (t_2735 - k_28 * t_2747);
-    float t_2787 = t_2731 + t_2739 + t_2743 + t_2751 + t_2785;
+    float t_2787 = t_2731 + t_2739 + (t_2743 + (t_2751 + t_2785));
     float t_2788 = k_30 * t_2782 - k_31 * t_2784 + t_2786;
     float t_2789 = k_38 * t_2782 + k_39 * t_2784 - t_2785;
     float t_2790 = k_32 * t_2731 - k_33 * t_2739 - k_34 * t_2743 + k_35 * t_2751 - t_2786;
@@ -4201,7 +4201,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_2796 = t_2715 + t_2795;
     float t_2797 = t_2711 + t_2723;
     float t_2798 = k_29 * (t_2711 - k_28 * t_2723);
-    float t_2799 = t_2707 + t_2715 + t_2719 + t_2727 + t_2797;
+    float t_2799 = t_2707 + t_2715 + (t_2719 + (t_2727 + t_2797));
     float t_2800 = k_31 * t_2796 - k_30 * t_2794 - t_2798;
     float t_2801 = k_38 * t_2794 + k_39 * t_2796 - t_2797;
     float t_2802 = k_32 * t_2707 - k_33 * t_2715 - k_34 * t_2719 + k_35 * t_2727 - t_2798;
@@ -4559,7 +4559,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_3154 = t_2740 + t_3153;
     float t_3155 = t_2736 + t_2748;
     float t_3156 = k_29 * (t_2736 - k_28 * t_2748);
-    float t_3157 = t_2732 + t_2740 + t_2744 + t_2752 + t_3155;
+    float t_3157 = t_2732 + t_2740 + (t_2744 + (t_2752 + t_3155));
     float t_3158 = k_30 * t_3152 - k_31 * t_3154 + t_3156;
     float t_3159 = k_38 * t_3152 + k_39 * t_3154 - t_3155;
     float t_3160 = k_32 * t_2732 - k_33 * t_2740 - k_34 * t_2744 + k_35 * t_2752 - t_3156;
@@ -4571,7 +4571,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_3166 = t_2716 + t_3165;
     float t_3167 = t_2712 + t_2724;
     float t_3168 = k_29 * (t_2712 - k_28 * t_2724);
-    float t_3169 = t_2708 + t_2716 + t_2720 + t_2728 + t_3167;
+    float t_3169 = t_2708 + t_2716 + (t_2720 + (t_2728 + t_3167));
     float t_3170 = k_31 * t_3166 - k_30 * t_3164 - t_3168;
     float t_3171 = k_38 * t_3164 + k_39 * t_3166 - t_3167;
     float t_3172 = k_32 * t_2708 - k_33 * t_2716 - k_34 * t_2720 + k_35 * t_2728 - t_3168;
@@ -5092,7 +5092,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_3665 = t_3620 + t_3664;
     float t_3666 = t_3616 + t_3628;
     float t_3667 = k_29 * (t_3616 - k_28 * t_3628);
-    float t_3668 = t_3612 + t_3620 + t_3624 + t_3632 + t_3666;
+    float t_3668 = t_3612 + t_3620 + (t_3624 + (t_3632 + t_3666));
     float t_3669 = k_30 * t_3663 - k_31 * t_3665 + t_3667;
     float t_3670 = k_38 * t_3663 + k_39 * t_3665 - t_3666;
     float t_3671 = k_32 * t_3612 - k_33 * t_3620 - k_34 * t_3624 + k_35 * t_3632 - t_3667;
@@ -5104,7 +5104,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_3677 = t_3596 + t_3676;
     float t_3678 = t_3592 + t_3604;
     float t_3679 = k_29 * (t_3592 - k_28 * t_3604);
-    float t_3680 = t_3588 + t_3596 + t_3600 + t_3608 + t_3678;
+    float t_3680 = t_3588 + t_3596 + (t_3600 + (t_3608 + t_3678));
     float t_3681 = k_31 * t_3677 - k_30 * t_3675 - t_3679;
     float t_3682 = k_38 * t_3675 + k_39 * t_3677 - t_3678;
     float t_3683 = k_32 * t_3588 - k_33 * t_3596 - k_34 * t_3600 + k_35 * t_3608 - t_3679;
@@ -5462,7 +5462,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_4035 = t_3621 + t_4034;
     float t_4036 = t_3617 + t_3629;
     float t_4037 = k_29 * (t_3617 - k_28 * t_3629);
-    float t_4038 = t_3613 + t_3621 + t_3625 + t_3633 + t_4036;
+    float t_4038 = t_3613 + t_3621 + (t_3625 + (t_3633 + t_4036));
     float t_4039 = k_30 * t_4033 - k_31 * t_4035 + t_4037;
     float t_4040 = k_38 * t_4033 + k_39 * t_4035 - t_4036;
     float t_4041 = k_32 * t_3613 - k_33 * t_3621 - k_34 * t_3625 + k_35 * t_3633 - t_4037;
@@ -5474,7 +5474,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_4047 = t_3597 + t_4046;
     float t_4048 = t_3593 + t_3605;
     float t_4049 = k_29 * (t_3593 - k_28 * t_3605);
-    float t_4050 = t_3589 + t_3597 + t_3601 + t_3609 + t_4048;
+    float t_4050 = t_3589 + t_3597 + (t_3601 + (t_3609 + t_4048));
     float t_4051 = k_31 * t_4047 - k_30 * t_4045 - t_4049;
     float t_4052 = k_38 * t_4045 + k_39 * t_4047 - t_4048;
     float t_4053 = k_32 * t_3589 - k_33 * t_3597 - k_34 * t_3601 + k_35 * t_3609 - t_4049;
@@ -5997,7 +5997,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_4546 = t_4501 + t_4545;
     float t_4547 = t_4497 + t_4509;
     float t_4548 = k_29 * (t_4497 - k_28 * t_4509);
-    float t_4549 = t_4493 + t_4501 + t_4505 + t_4513 + t_4547;
+    float t_4549 = t_4493 + t_4501 + (t_4505 + (t_4513 + t_4547));
     float t_4550 = k_30 * t_4544 - k_31 * t_4546 + t_4548;
     float t_4551 = k_38 * t_4544 + k_39 * t_4546 - t_4547;
     float t_4552 = k_32 * t_4493 - k_33 * t_4501 - k_34 * t_4505 + k_35 * t_4513 - t_4548;
@@ -6009,7 +6009,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_4558 = t_4477 + t_4557;
     float t_4559 = t_4473 + t_4485;
     float t_4560 = k_29 * (t_4473 - k_28 * t_4485);
-    float t_4561 = t_4469 + t_4477 + t_4481 + t_4489 + t_4559;
+    float t_4561 = t_4469 + t_4477 + (t_4481 + (t_4489 + t_4559));
     float t_4562 = k_31 * t_4558 - k_30 * t_4556 - t_4560;
     float t_4563 = k_38 * t_4556 + k_39 * t_4558 - t_4559;
     float t_4564 = k_32 * t_4469 - k_33 * t_4477 - k_34 * t_4481 + k_35 * t_4489 - t_4560;
@@ -6367,7 +6367,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_4916 = t_4502 + t_4915;
     float t_4917 = t_4498 + t_4510;
     float t_4918 = k_29 * (t_4498 - k_28 * t_4510);
-    float t_4919 = t_4494 + t_4502 + t_4506 + t_4514 + t_4917;
+    float t_4919 = t_4494 + t_4502 + (t_4506 + (t_4514 + t_4917));
     float t_4920 = k_30 * t_4914 - k_31 * t_4916 + t_4918;
     float t_4921 = k_38 * t_4914 + k_39 * t_4916 - t_4917;
     float t_4922 = k_32 * t_4494 - k_33 * t_4502 - k_34 * t_4506 + k_35 * t_4514 - t_4918;
@@ -6379,7 +6379,7 @@ void transfer_apply_rgb_l6(float visibility[169], float samples[876], out float 
     float t_4928 = t_4478 + t_4927;
     float t_4929 = t_4474 + t_4486;
     float t_4930 = k_29 * (t_4474 - k_28 * t_4486);
-    float t_4931 = t_4470 + t_4478 + t_4482 + t_4490 + t_4929;
+    float t_4931 = t_4470 + t_4478 + (t_4482 + (t_4490 + t_4929));
     float t_4932 = k_31 * t_4928 - k_30 * t_4926 - t_4930;
     float t_4933 = k_38 * t_4926 + k_39 * t_4928 - t_4929;
     float t_4934 = k_32 * t_4470 - k_33 * t_4478 - k_34 * t_4482 + k_35 * t_4490 - t_4930;

@@ -14,10 +14,10 @@
 //               z2, ...: square roots of the zeros of the Jacobi polynomial P_5^(1,-1/2)(2t-1), falling
 // Cost:         1946 multiplications, 2759 additions; longest chain 44; at most 174 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light| |lobe|, |light| = 1
-//               float   rounding  largest seen 2.6e-07 (2.1 eps)
-//                       total     largest seen 2.7e-07 (2.2 eps)
-//               double  rounding  largest seen 4.5e-16 (2.0 eps)
-//                       total     largest seen 4.3e-16 (1.9 eps)
+//               float   rounding  largest seen 2.4e-07 (2.0 eps)
+//                       total     largest seen 2.4e-07 (2.0 eps)
+//               double  rounding  largest seen 3.8e-16 (1.7 eps)
+//                       total     largest seen 3.9e-16 (1.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
 //               total:    against the exact function at the direction scaled to length 1
@@ -1051,12 +1051,12 @@ float transfer_glossy_l5(float visibility[121], float samples[204], float lobe[6
     float t_135 = t_132 - t_130;
     float t_136 = t_131 + t_133;
     float t_137 = t_131 - t_133;
-    float t_138 = t_80 + t_84 + t_88 + t_92 + t_96;
+    float t_138 = t_80 + t_84 + (t_88 + (t_92 + t_96));
     float t_139 = k_5 * t_80 + k_6 * t_84 - t_88 - k_7 * t_92 - k_8 * t_96;
     float t_140 = k_9 * t_80 - k_10 * t_84 - t_88 + k_11 * t_92 + k_12 * t_96;
     float t_141 = k_13 * t_80 - k_14 * t_84 + t_88 + k_15 * t_92 - k_16 * t_96;
     float t_142 = k_17 * t_80 - k_18 * t_84 + t_88 - k_19 * t_92 + k_20 * t_96;
-    float t_143 = t_58 + t_62 + t_66 + t_70 + t_74;
+    float t_143 = t_58 + t_62 + (t_66 + (t_70 + t_74));
     float t_144 = t_66 - k_5 * t_58 - k_6 * t_62 + k_7 * t_70 + k_8 * t_74;
     float t_145 = k_9 * t_58 - k_10 * t_62 - t_66 + k_11 * t_70 + k_12 * t_74;
     float t_146 = k_14 * t_62 - k_13 * t_58 - t_66 - k_15 * t_70 + k_16 * t_74;
@@ -1144,12 +1144,12 @@ float transfer_glossy_l5(float visibility[121], float samples[204], float lobe[6
     float t_228 = t_225 - t_223;
     float t_229 = t_224 + t_226;
     float t_230 = t_224 - t_226;
-    float t_231 = t_81 + t_85 + t_89 + t_93 + t_97;
+    float t_231 = t_81 + t_85 + (t_89 + (t_93 + t_97));
     float t_232 = k_5 * t_81 + k_6 * t_85 - t_89 - k_7 * t_93 - k_8 * t_97;
     float t_233 = k_9 * t_81 - k_10 * t_85 - t_89 + k_11 * t_93 + k_12 * t_97;
     float t_234 = k_13 * t_81 - k_14 * t_85 + t_89 + k_15 * t_93 - k_16 * t_97;
     float t_235 = k_17 * t_81 - k_18 * t_85 + t_89 - k_19 * t_93 + k_20 * t_97;
-    float t_236 = t_59 + t_63 + t_67 + t_71 + t_75;
+    float t_236 = t_59 + t_63 + (t_67 + (t_71 + t_75));
     float t_237 = t_67 - k_5 * t_59 - k_6 * t_63 + k_7 * t_71 + k_8 * t_75;
     float t_238 = k_9 * t_59 - k_10 * t_63 - t_67 + k_11 * t_71 + k_12 * t_75;
     float t_239 = k_14 * t_63 - k_13 * t_59 - t_67 - k_15 * t_71 + k_16 * t_75;
@@ -1360,12 +1360,12 @@ float transfer_glossy_l5(float visibility[121], float samples[204], float lobe[6
     float t_436 = t_433 - t_431;
     float t_437 = t_432 + t_434;
     float t_438 = t_432 - t_434;
-    float t_439 = t_381 + t_385 + t_389 + t_393 + t_397;
+    float t_439 = t_381 + t_385 + (t_389 + (t_393 + t_397));
     float t_440 = k_5 * t_381 + k_6 * t_385 - t_389 - k_7 * t_393 - k_8 * t_397;
     float t_441 = k_9 * t_381 - k_10 * t_385 - t_389 + k_11 * t_393 + k_12 * t_397;
     float t_442 = k_13 * t_381 - k_14 * t_385 + t_389 + k_15 * t_393 - k_16 * t_397;
     float t_443 = k_17 * t_381 - k_18 * t_385 + t_389 - k_19 * t_393 + k_20 * t_397;
-    float t_444 = t_359 + t_363 + t_367 + t_371 + t_375;
+    float t_444 = t_359 + t_363 + (t_367 + (t_371 + t_375));
     float t_445 = t_367 - k_5 * t_359 - k_6 * t_363 + k_7 * t_371 + k_8 * t_375;
     float t_446 = k_9 * t_359 - k_10 * t_363 - t_367 + k_11 * t_371 + k_12 * t_375;
     float t_447 = k_14 * t_363 - k_13 * t_359 - t_367 - k_15 * t_371 + k_16 * t_375;
@@ -1453,12 +1453,12 @@ float transfer_glossy_l5(float visibility[121], float samples[204], float lobe[6
     float t_529 = t_526 - t_524;
     float t_530 = t_525 + t_527;
     float t_531 = t_525 - t_527;
-    float t_532 = t_382 + t_386 + t_390 + t_394 + t_398;
+    float t_532 = t_382 + t_386 + (t_390 + (t_394 + t_398));
     float t_533 = k_5 * t_382 + k_6 * t_386 - t_390 - k_7 * t_394 - k_8 * t_398;
     float t_534 = k_9 * t_382 - k_10 * t_386 - t_390 + k_11 * t_394 + k_12 * t_398;
     float t_535 = k_13 * t_382 - k_14 * t_386 + t_390 + k_15 * t_394 - k_16 * t_398;
     float t_536 = k_17 * t_382 - k_18 * t_386 + t_390 - k_19 * t_394 + k_20 * t_398;
-    float t_537 = t_360 + t_364 + t_368 + t_372 + t_376;
+    float t_537 = t_360 + t_364 + (t_368 + (t_372 + t_376));
     float t_538 = t_368 - k_5 * t_360 - k_6 * t_364 + k_7 * t_372 + k_8 * t_376;
     float t_539 = k_9 * t_360 - k_10 * t_364 - t_368 + k_11 * t_372 + k_12 * t_376;
     float t_540 = k_14 * t_364 - k_13 * t_360 - t_368 - k_15 * t_372 + k_16 * t_376;
@@ -1669,12 +1669,12 @@ float transfer_glossy_l5(float visibility[121], float samples[204], float lobe[6
     float t_737 = t_734 - t_732;
     float t_738 = t_733 + t_735;
     float t_739 = t_733 - t_735;
-    float t_740 = t_682 + t_686 + t_690 + t_694 + t_698;
+    float t_740 = t_682 + t_686 + (t_690 + (t_694 + t_698));
     float t_741 = k_5 * t_682 + k_6 * t_686 - t_690 - k_7 * t_694 - k_8 * t_698;
     float t_742 = k_9 * t_682 - k_10 * t_686 - t_690 + k_11 * t_694 + k_12 * t_698;
     float t_743 = k_13 * t_682 - k_14 * t_686 + t_690 + k_15 * t_694 - k_16 * t_698;
     float t_744 = k_17 * t_682 - k_18 * t_686 + t_690 - k_19 * t_694 + k_20 * t_698;
-    float t_745 = t_660 + t_664 + t_668 + t_672 + t_676;
+    float t_745 = t_660 + t_664 + (t_668 + (t_672 + t_676));
     float t_746 = t_668 - k_5 * t_660 - k_6 * t_664 + k_7 * t_672 + k_8 * t_676;
     float t_747 = k_9 * t_660 - k_10 * t_664 - t_668 + k_11 * t_672 + k_12 * t_676;
     float t_748 = k_14 * t_664 - k_13 * t_660 - t_668 - k_15 * t_672 + k_16 * t_676;
@@ -1762,12 +1762,12 @@ float transfer_glossy_l5(float visibility[121], float samples[204], float lobe[6
     float t_830 = t_827 - t_825;
     float t_831 = t_826 + t_828;
     float t_832 = t_826 - t_828;
-    float t_833 = t_683 + t_687 + t_691 + t_695 + t_699;
+    float t_833 = t_683 + t_687 + (t_691 + (t_695 + t_699));
     float t_834 = k_5 * t_683 + k_6 * t_687 - t_691 - k_7 * t_695 - k_8 * t_699;
     float t_835 = k_9 * t_683 - k_10 * t_687 - t_691 + k_11 * t_695 + k_12 * t_699;
     float t_836 = k_13 * t_683 - k_14 * t_687 + t_691 + k_15 * t_695 - k_16 * t_699;
     float t_837 = k_17 * t_683 - k_18 * t_687 + t_691 - k_19 * t_695 + k_20 * t_699;
-    float t_838 = t_661 + t_665 + t_669 + t_673 + t_677;
+    float t_838 = t_661 + t_665 + (t_669 + (t_673 + t_677));
     float t_839 = t_669 - k_5 * t_661 - k_6 * t_665 + k_7 * t_673 + k_8 * t_677;
     float t_840 = k_9 * t_661 - k_10 * t_665 - t_669 + k_11 * t_673 + k_12 * t_677;
     float t_841 = k_14 * t_665 - k_13 * t_661 - t_669 - k_15 * t_673 + k_16 * t_677;
@@ -1978,12 +1978,12 @@ float transfer_glossy_l5(float visibility[121], float samples[204], float lobe[6
     float t_1038 = t_1035 - t_1033;
     float t_1039 = t_1034 + t_1036;
     float t_1040 = t_1034 - t_1036;
-    float t_1041 = t_983 + t_987 + t_991 + t_995 + t_999;
+    float t_1041 = t_983 + t_987 + (t_991 + (t_995 + t_999));
     float t_1042 = k_5 * t_983 + k_6 * t_987 - t_991 - k_7 * t_995 - k_8 * t_999;
     float t_1043 = k_9 * t_983 - k_10 * t_987 - t_991 + k_11 * t_995 + k_12 * t_999;
     float t_1044 = k_13 * t_983 - k_14 * t_987 + t_991 + k_15 * t_995 - k_16 * t_999;
     float t_1045 = k_17 * t_983 - k_18 * t_987 + t_991 - k_19 * t_995 + k_20 * t_999;
-    float t_1046 = t_961 + t_965 + t_969 + t_973 + t_977;
+    float t_1046 = t_961 + t_965 + (t_969 + (t_973 + t_977));
     float t_1047 = t_969 - k_5 * t_961 - k_6 * t_965 + k_7 * t_973 + k_8 * t_977;
     float t_1048 = k_9 * t_961 - k_10 * t_965 - t_969 + k_11 * t_973 + k_12 * t_977;
     float t_1049 = k_14 * t_965 - k_13 * t_961 - t_969 - k_15 * t_973 + k_16 * t_977;
@@ -2071,12 +2071,12 @@ float transfer_glossy_l5(float visibility[121], float samples[204], float lobe[6
     float t_1131 = t_1128 - t_1126;
     float t_1132 = t_1127 + t_1129;
     float t_1133 = t_1127 - t_1129;
-    float t_1134 = t_984 + t_988 + t_992 + t_996 + t_1000;
+    float t_1134 = t_984 + t_988 + (t_992 + (t_996 + t_1000));
     float t_1135 = k_5 * t_984 + k_6 * t_988 - t_992 - k_7 * t_996 - k_8 * t_1000;
     float t_1136 = k_9 * t_984 - k_10 * t_988 - t_992 + k_11 * t_996 + k_12 * t_1000;
     float t_1137 = k_13 * t_984 - k_14 * t_988 + t_992 + k_15 * t_996 - k_16 * t_1000;
     float t_1138 = k_17 * t_984 - k_18 * t_988 + t_992 - k_19 * t_996 + k_20 * t_1000;
-    float t_1139 = t_962 + t_966 + t_970 + t_974 + t_978;
+    float t_1139 = t_962 + t_966 + (t_970 + (t_974 + t_978));
     float t_1140 = t_970 - k_5 * t_962 - k_6 * t_966 + k_7 * t_974 + k_8 * t_978;
     float t_1141 = k_9 * t_962 - k_10 * t_966 - t_970 + k_11 * t_974 + k_12 * t_978;
     float t_1142 = k_14 * t_966 - k_13 * t_962 - t_970 - k_15 * t_974 + k_16 * t_978;
@@ -2287,12 +2287,12 @@ float transfer_glossy_l5(float visibility[121], float samples[204], float lobe[6
     float t_1339 = t_1336 - t_1334;
     float t_1340 = t_1335 + t_1337;
     float t_1341 = t_1335 - t_1337;
-    float t_1342 = t_1284 + t_1288 + t_1292 + t_1296 + t_1300;
+    float t_1342 = t_1284 + t_1288 + (t_1292 + (t_1296 + t_1300));
     float t_1343 = k_5 * t_1284 + k_6 * t_1288 - t_1292 - k_7 * t_1296 - k_8 * t_1300;
     float t_1344 = k_9 * t_1284 - k_10 * t_1288 - t_1292 + k_11 * t_1296 + k_12 * t_1300;
     float t_1345 = k_13 * t_1284 - k_14 * t_1288 + t_1292 + k_15 * t_1296 - k_16 * t_1300;
     float t_1346 = k_17 * t_1284 - k_18 * t_1288 + t_1292 - k_19 * t_1296 + k_20 * t_1300;
-    float t_1347 = t_1262 + t_1266 + t_1270 + t_1274 + t_1278;
+    float t_1347 = t_1262 + t_1266 + (t_1270 + (t_1274 + t_1278));
     float t_1348 = t_1270 - k_5 * t_1262 - k_6 * t_1266 + k_7 * t_1274 + k_8 * t_1278;
     float t_1349 = k_9 * t_1262 - k_10 * t_1266 - t_1270 + k_11 * t_1274 + k_12 * t_1278;
     float t_1350 = k_14 * t_1266 - k_13 * t_1262 - t_1270 - k_15 * t_1274 + k_16 * t_1278;
@@ -2380,12 +2380,12 @@ float transfer_glossy_l5(float visibility[121], float samples[204], float lobe[6
     float t_1432 = t_1429 - t_1427;
     float t_1433 = t_1428 + t_1430;
     float t_1434 = t_1428 - t_1430;
-    float t_1435 = t_1285 + t_1289 + t_1293 + t_1297 + t_1301;
+    float t_1435 = t_1285 + t_1289 + (t_1293 + (t_1297 + t_1301));
     float t_1436 = k_5 * t_1285 + k_6 * t_1289 - t_1293 - k_7 * t_1297 - k_8 * t_1301;
     float t_1437 = k_9 * t_1285 - k_10 * t_1289 - t_1293 + k_11 * t_1297 + k_12 * t_1301;
     float t_1438 = k_13 * t_1285 - k_14 * t_1289 + t_1293 + k_15 * t_1297 - k_16 * t_1301;
     float t_1439 = k_17 * t_1285 - k_18 * t_1289 + t_1293 - k_19 * t_1297 + k_20 * t_1301;
-    float t_1440 = t_1263 + t_1267 + t_1271 + t_1275 + t_1279;
+    float t_1440 = t_1263 + t_1267 + (t_1271 + (t_1275 + t_1279));
     float t_1441 = t_1271 - k_5 * t_1263 - k_6 * t_1267 + k_7 * t_1275 + k_8 * t_1279;
     float t_1442 = k_9 * t_1263 - k_10 * t_1267 - t_1271 + k_11 * t_1275 + k_12 * t_1279;
     float t_1443 = k_14 * t_1267 - k_13 * t_1263 - t_1271 - k_15 * t_1275 + k_16 * t_1279;

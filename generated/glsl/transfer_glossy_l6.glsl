@@ -14,10 +14,10 @@
 //               z2, ...: square roots of the zeros of the Jacobi polynomial P_6^(1,-1/2)(2t-1), falling
 // Cost:         2894 multiplications, 4257 additions; longest chain 53; at most 231 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light| |lobe|, |light| = 1
-//               float   rounding  largest seen 2.0e-07 (1.7 eps)
-//                       total     largest seen 1.8e-07 (1.5 eps)
-//               double  rounding  largest seen 4.3e-16 (2.0 eps)
-//                       total     largest seen 3.2e-16 (1.4 eps)
+//               float   rounding  largest seen 2.5e-07 (2.1 eps)
+//                       total     largest seen 2.5e-07 (2.1 eps)
+//               double  rounding  largest seen 3.7e-16 (1.7 eps)
+//                       total     largest seen 2.8e-16 (1.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
 //               total:    against the exact function at the direction scaled to length 1
@@ -1658,7 +1658,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_176 = t_105 + t_175;
     float t_177 = t_101 + t_113;
     float t_178 = k_9 * (t_101 - k_8 * t_113);
-    float t_179 = t_97 + t_105 + t_109 + t_117 + t_177;
+    float t_179 = t_97 + t_105 + (t_109 + (t_117 + t_177));
     float t_180 = k_10 * t_174 - k_11 * t_176 + t_178;
     float t_181 = k_18 * t_174 + k_19 * t_176 - t_177;
     float t_182 = k_12 * t_97 - k_13 * t_105 - k_14 * t_109 + k_15 * t_117 - t_178;
@@ -1670,7 +1670,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_188 = t_79 + t_187;
     float t_189 = t_75 + t_87;
     float t_190 = k_9 * (t_75 - k_8 * t_87);
-    float t_191 = t_71 + t_79 + t_83 + t_91 + t_189;
+    float t_191 = t_71 + t_79 + (t_83 + (t_91 + t_189));
     float t_192 = k_11 * t_188 - k_10 * t_186 - t_190;
     float t_193 = k_18 * t_186 + k_19 * t_188 - t_189;
     float t_194 = k_12 * t_71 - k_13 * t_79 - k_14 * t_83 + k_15 * t_91 - t_190;
@@ -1795,7 +1795,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_313 = t_106 + t_312;
     float t_314 = t_102 + t_114;
     float t_315 = k_9 * (t_102 - k_8 * t_114);
-    float t_316 = t_98 + t_106 + t_110 + t_118 + t_314;
+    float t_316 = t_98 + t_106 + (t_110 + (t_118 + t_314));
     float t_317 = k_10 * t_311 - k_11 * t_313 + t_315;
     float t_318 = k_18 * t_311 + k_19 * t_313 - t_314;
     float t_319 = k_12 * t_98 - k_13 * t_106 - k_14 * t_110 + k_15 * t_118 - t_315;
@@ -1807,7 +1807,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_325 = t_80 + t_324;
     float t_326 = t_76 + t_88;
     float t_327 = k_9 * (t_76 - k_8 * t_88);
-    float t_328 = t_72 + t_80 + t_84 + t_92 + t_326;
+    float t_328 = t_72 + t_80 + (t_84 + (t_92 + t_326));
     float t_329 = k_11 * t_325 - k_10 * t_323 - t_327;
     float t_330 = k_18 * t_323 + k_19 * t_325 - t_326;
     float t_331 = k_12 * t_72 - k_13 * t_80 - k_14 * t_84 + k_15 * t_92 - t_327;
@@ -2087,7 +2087,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_589 = t_518 + t_588;
     float t_590 = t_514 + t_526;
     float t_591 = k_9 * (t_514 - k_8 * t_526);
-    float t_592 = t_510 + t_518 + t_522 + t_530 + t_590;
+    float t_592 = t_510 + t_518 + (t_522 + (t_530 + t_590));
     float t_593 = k_10 * t_587 - k_11 * t_589 + t_591;
     float t_594 = k_18 * t_587 + k_19 * t_589 - t_590;
     float t_595 = k_12 * t_510 - k_13 * t_518 - k_14 * t_522 + k_15 * t_530 - t_591;
@@ -2099,7 +2099,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_601 = t_492 + t_600;
     float t_602 = t_488 + t_500;
     float t_603 = k_9 * (t_488 - k_8 * t_500);
-    float t_604 = t_484 + t_492 + t_496 + t_504 + t_602;
+    float t_604 = t_484 + t_492 + (t_496 + (t_504 + t_602));
     float t_605 = k_11 * t_601 - k_10 * t_599 - t_603;
     float t_606 = k_18 * t_599 + k_19 * t_601 - t_602;
     float t_607 = k_12 * t_484 - k_13 * t_492 - k_14 * t_496 + k_15 * t_504 - t_603;
@@ -2224,7 +2224,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_726 = t_519 + t_725;
     float t_727 = t_515 + t_527;
     float t_728 = k_9 * (t_515 - k_8 * t_527);
-    float t_729 = t_511 + t_519 + t_523 + t_531 + t_727;
+    float t_729 = t_511 + t_519 + (t_523 + (t_531 + t_727));
     float t_730 = k_10 * t_724 - k_11 * t_726 + t_728;
     float t_731 = k_18 * t_724 + k_19 * t_726 - t_727;
     float t_732 = k_12 * t_511 - k_13 * t_519 - k_14 * t_523 + k_15 * t_531 - t_728;
@@ -2236,7 +2236,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_738 = t_493 + t_737;
     float t_739 = t_489 + t_501;
     float t_740 = k_9 * (t_489 - k_8 * t_501);
-    float t_741 = t_485 + t_493 + t_497 + t_505 + t_739;
+    float t_741 = t_485 + t_493 + (t_497 + (t_505 + t_739));
     float t_742 = k_11 * t_738 - k_10 * t_736 - t_740;
     float t_743 = k_18 * t_736 + k_19 * t_738 - t_739;
     float t_744 = k_12 * t_485 - k_13 * t_493 - k_14 * t_497 + k_15 * t_505 - t_740;
@@ -2516,7 +2516,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_1002 = t_931 + t_1001;
     float t_1003 = t_927 + t_939;
     float t_1004 = k_9 * (t_927 - k_8 * t_939);
-    float t_1005 = t_923 + t_931 + t_935 + t_943 + t_1003;
+    float t_1005 = t_923 + t_931 + (t_935 + (t_943 + t_1003));
     float t_1006 = k_10 * t_1000 - k_11 * t_1002 + t_1004;
     float t_1007 = k_18 * t_1000 + k_19 * t_1002 - t_1003;
     float t_1008 = k_12 * t_923 - k_13 * t_931 - k_14 * t_935 + k_15 * t_943 - t_1004;
@@ -2528,7 +2528,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_1014 = t_905 + t_1013;
     float t_1015 = t_901 + t_913;
     float t_1016 = k_9 * (t_901 - k_8 * t_913);
-    float t_1017 = t_897 + t_905 + t_909 + t_917 + t_1015;
+    float t_1017 = t_897 + t_905 + (t_909 + (t_917 + t_1015));
     float t_1018 = k_11 * t_1014 - k_10 * t_1012 - t_1016;
     float t_1019 = k_18 * t_1012 + k_19 * t_1014 - t_1015;
     float t_1020 = k_12 * t_897 - k_13 * t_905 - k_14 * t_909 + k_15 * t_917 - t_1016;
@@ -2653,7 +2653,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_1139 = t_932 + t_1138;
     float t_1140 = t_928 + t_940;
     float t_1141 = k_9 * (t_928 - k_8 * t_940);
-    float t_1142 = t_924 + t_932 + t_936 + t_944 + t_1140;
+    float t_1142 = t_924 + t_932 + (t_936 + (t_944 + t_1140));
     float t_1143 = k_10 * t_1137 - k_11 * t_1139 + t_1141;
     float t_1144 = k_18 * t_1137 + k_19 * t_1139 - t_1140;
     float t_1145 = k_12 * t_924 - k_13 * t_932 - k_14 * t_936 + k_15 * t_944 - t_1141;
@@ -2665,7 +2665,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_1151 = t_906 + t_1150;
     float t_1152 = t_902 + t_914;
     float t_1153 = k_9 * (t_902 - k_8 * t_914);
-    float t_1154 = t_898 + t_906 + t_910 + t_918 + t_1152;
+    float t_1154 = t_898 + t_906 + (t_910 + (t_918 + t_1152));
     float t_1155 = k_11 * t_1151 - k_10 * t_1149 - t_1153;
     float t_1156 = k_18 * t_1149 + k_19 * t_1151 - t_1152;
     float t_1157 = k_12 * t_898 - k_13 * t_906 - k_14 * t_910 + k_15 * t_918 - t_1153;
@@ -2949,7 +2949,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_1415 = t_1344 + t_1414;
     float t_1416 = t_1340 + t_1352;
     float t_1417 = k_9 * (t_1340 - k_8 * t_1352);
-    float t_1418 = t_1336 + t_1344 + t_1348 + t_1356 + t_1416;
+    float t_1418 = t_1336 + t_1344 + (t_1348 + (t_1356 + t_1416));
     float t_1419 = k_10 * t_1413 - k_11 * t_1415 + t_1417;
     float t_1420 = k_18 * t_1413 + k_19 * t_1415 - t_1416;
     float t_1421 = k_12 * t_1336 - k_13 * t_1344 - k_14 * t_1348 + k_15 * t_1356 - t_1417;
@@ -2961,7 +2961,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_1427 = t_1318 + t_1426;
     float t_1428 = t_1314 + t_1326;
     float t_1429 = k_9 * (t_1314 - k_8 * t_1326);
-    float t_1430 = t_1310 + t_1318 + t_1322 + t_1330 + t_1428;
+    float t_1430 = t_1310 + t_1318 + (t_1322 + (t_1330 + t_1428));
     float t_1431 = k_11 * t_1427 - k_10 * t_1425 - t_1429;
     float t_1432 = k_18 * t_1425 + k_19 * t_1427 - t_1428;
     float t_1433 = k_12 * t_1310 - k_13 * t_1318 - k_14 * t_1322 + k_15 * t_1330 - t_1429;
@@ -3086,7 +3086,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_1552 = t_1345 + t_1551;
     float t_1553 = t_1341 + t_1353;
     float t_1554 = k_9 * (t_1341 - k_8 * t_1353);
-    float t_1555 = t_1337 + t_1345 + t_1349 + t_1357 + t_1553;
+    float t_1555 = t_1337 + t_1345 + (t_1349 + (t_1357 + t_1553));
     float t_1556 = k_10 * t_1550 - k_11 * t_1552 + t_1554;
     float t_1557 = k_18 * t_1550 + k_19 * t_1552 - t_1553;
     float t_1558 = k_12 * t_1337 - k_13 * t_1345 - k_14 * t_1349 + k_15 * t_1357 - t_1554;
@@ -3098,7 +3098,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_1564 = t_1319 + t_1563;
     float t_1565 = t_1315 + t_1327;
     float t_1566 = k_9 * (t_1315 - k_8 * t_1327);
-    float t_1567 = t_1311 + t_1319 + t_1323 + t_1331 + t_1565;
+    float t_1567 = t_1311 + t_1319 + (t_1323 + (t_1331 + t_1565));
     float t_1568 = k_11 * t_1564 - k_10 * t_1562 - t_1566;
     float t_1569 = k_18 * t_1562 + k_19 * t_1564 - t_1565;
     float t_1570 = k_12 * t_1311 - k_13 * t_1319 - k_14 * t_1323 + k_15 * t_1331 - t_1566;
@@ -3384,7 +3384,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_1828 = t_1757 + t_1827;
     float t_1829 = t_1753 + t_1765;
     float t_1830 = k_9 * (t_1753 - k_8 * t_1765);
-    float t_1831 = t_1749 + t_1757 + t_1761 + t_1769 + t_1829;
+    float t_1831 = t_1749 + t_1757 + (t_1761 + (t_1769 + t_1829));
     float t_1832 = k_10 * t_1826 - k_11 * t_1828 + t_1830;
     float t_1833 = k_18 * t_1826 + k_19 * t_1828 - t_1829;
     float t_1834 = k_12 * t_1749 - k_13 * t_1757 - k_14 * t_1761 + k_15 * t_1769 - t_1830;
@@ -3396,7 +3396,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_1840 = t_1731 + t_1839;
     float t_1841 = t_1727 + t_1739;
     float t_1842 = k_9 * (t_1727 - k_8 * t_1739);
-    float t_1843 = t_1723 + t_1731 + t_1735 + t_1743 + t_1841;
+    float t_1843 = t_1723 + t_1731 + (t_1735 + (t_1743 + t_1841));
     float t_1844 = k_11 * t_1840 - k_10 * t_1838 - t_1842;
     float t_1845 = k_18 * t_1838 + k_19 * t_1840 - t_1841;
     float t_1846 = k_12 * t_1723 - k_13 * t_1731 - k_14 * t_1735 + k_15 * t_1743 - t_1842;
@@ -3521,7 +3521,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_1965 = t_1758 + t_1964;
     float t_1966 = t_1754 + t_1766;
     float t_1967 = k_9 * (t_1754 - k_8 * t_1766);
-    float t_1968 = t_1750 + t_1758 + t_1762 + t_1770 + t_1966;
+    float t_1968 = t_1750 + t_1758 + (t_1762 + (t_1770 + t_1966));
     float t_1969 = k_10 * t_1963 - k_11 * t_1965 + t_1967;
     float t_1970 = k_18 * t_1963 + k_19 * t_1965 - t_1966;
     float t_1971 = k_12 * t_1750 - k_13 * t_1758 - k_14 * t_1762 + k_15 * t_1770 - t_1967;
@@ -3533,7 +3533,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_1977 = t_1732 + t_1976;
     float t_1978 = t_1728 + t_1740;
     float t_1979 = k_9 * (t_1728 - k_8 * t_1740);
-    float t_1980 = t_1724 + t_1732 + t_1736 + t_1744 + t_1978;
+    float t_1980 = t_1724 + t_1732 + (t_1736 + (t_1744 + t_1978));
     float t_1981 = k_11 * t_1977 - k_10 * t_1975 - t_1979;
     float t_1982 = k_18 * t_1975 + k_19 * t_1977 - t_1978;
     float t_1983 = k_12 * t_1724 - k_13 * t_1732 - k_14 * t_1736 + k_15 * t_1744 - t_1979;
@@ -3821,7 +3821,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_2241 = t_2170 + t_2240;
     float t_2242 = t_2166 + t_2178;
     float t_2243 = k_9 * (t_2166 - k_8 * t_2178);
-    float t_2244 = t_2162 + t_2170 + t_2174 + t_2182 + t_2242;
+    float t_2244 = t_2162 + t_2170 + (t_2174 + (t_2182 + t_2242));
     float t_2245 = k_10 * t_2239 - k_11 * t_2241 + t_2243;
     float t_2246 = k_18 * t_2239 + k_19 * t_2241 - t_2242;
     float t_2247 = k_12 * t_2162 - k_13 * t_2170 - k_14 * t_2174 + k_15 * t_2182 - t_2243;
@@ -3833,7 +3833,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_2253 = t_2144 + t_2252;
     float t_2254 = t_2140 + t_2152;
     float t_2255 = k_9 * (t_2140 - k_8 * t_2152);
-    float t_2256 = t_2136 + t_2144 + t_2148 + t_2156 + t_2254;
+    float t_2256 = t_2136 + t_2144 + (t_2148 + (t_2156 + t_2254));
     float t_2257 = k_11 * t_2253 - k_10 * t_2251 - t_2255;
     float t_2258 = k_18 * t_2251 + k_19 * t_2253 - t_2254;
     float t_2259 = k_12 * t_2136 - k_13 * t_2144 - k_14 * t_2148 + k_15 * t_2156 - t_2255;
@@ -3958,7 +3958,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_2378 = t_2171 + t_2377;
     float t_2379 = t_2167 + t_2179;
     float t_2380 = k_9 * (t_2167 - k_8 * t_2179);
-    float t_2381 = t_2163 + t_2171 + t_2175 + t_2183 + t_2379;
+    float t_2381 = t_2163 + t_2171 + (t_2175 + (t_2183 + t_2379));
     float t_2382 = k_10 * t_2376 - k_11 * t_2378 + t_2380;
     float t_2383 = k_18 * t_2376 + k_19 * t_2378 - t_2379;
     float t_2384 = k_12 * t_2163 - k_13 * t_2171 - k_14 * t_2175 + k_15 * t_2183 - t_2380;
@@ -3970,7 +3970,7 @@ float transfer_glossy_l6(float visibility[169], float samples[292], float lobe[7
     float t_2390 = t_2145 + t_2389;
     float t_2391 = t_2141 + t_2153;
     float t_2392 = k_9 * (t_2141 - k_8 * t_2153);
-    float t_2393 = t_2137 + t_2145 + t_2149 + t_2157 + t_2391;
+    float t_2393 = t_2137 + t_2145 + (t_2149 + (t_2157 + t_2391));
     float t_2394 = k_11 * t_2390 - k_10 * t_2388 - t_2392;
     float t_2395 = k_18 * t_2388 + k_19 * t_2390 - t_2391;
     float t_2396 = k_12 * t_2137 - k_13 * t_2145 - k_14 * t_2149 + k_15 * t_2157 - t_2392;

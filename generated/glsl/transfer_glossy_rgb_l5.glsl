@@ -15,10 +15,10 @@
 //               z2, ...: square roots of the zeros of the Jacobi polynomial P_5^(1,-1/2)(2t-1), falling
 // Cost:         2354 multiplications, 3171 additions; longest chain 46; at most 262 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light| |lobe|, |light| = 1
-//               float   rounding  largest seen 4.1e-07 (3.4 eps)
-//                       total     largest seen 4.2e-07 (3.5 eps)
-//               double  rounding  largest seen 4.8e-16 (2.2 eps)
-//                       total     largest seen 5.2e-16 (2.4 eps)
+//               float   rounding  largest seen 3.1e-07 (2.6 eps)
+//                       total     largest seen 3.4e-07 (2.9 eps)
+//               double  rounding  largest seen 5.4e-16 (2.4 eps)
+//                       total     largest seen 5.5e-16 (2.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
 //               total:    against the exact function at the direction scaled to length 1
@@ -1058,12 +1058,12 @@ void transfer_glossy_rgb_l5(float visibility[121], float samples[612], float lob
     float t_140 = t_137 - t_135;
     float t_141 = t_136 + t_138;
     float t_142 = t_136 - t_138;
-    float t_143 = t_85 + t_89 + t_93 + t_97 + t_101;
+    float t_143 = t_85 + t_89 + (t_93 + (t_97 + t_101));
     float t_144 = k_5 * t_85 + k_6 * t_89 - t_93 - k_7 * t_97 - k_8 * t_101;
     float t_145 = k_9 * t_85 - k_10 * t_89 - t_93 + k_11 * t_97 + k_12 * t_101;
     float t_146 = k_13 * t_85 - k_14 * t_89 + t_93 + k_15 * t_97 - k_16 * t_101;
     float t_147 = k_17 * t_85 - k_18 * t_89 + t_93 - k_19 * t_97 + k_20 * t_101;
-    float t_148 = t_63 + t_67 + t_71 + t_75 + t_79;
+    float t_148 = t_63 + t_67 + (t_71 + (t_75 + t_79));
     float t_149 = t_71 - k_5 * t_63 - k_6 * t_67 + k_7 * t_75 + k_8 * t_79;
     float t_150 = k_9 * t_63 - k_10 * t_67 - t_71 + k_11 * t_75 + k_12 * t_79;
     float t_151 = k_14 * t_67 - k_13 * t_63 - t_71 - k_15 * t_75 + k_16 * t_79;
@@ -1171,12 +1171,12 @@ void transfer_glossy_rgb_l5(float visibility[121], float samples[612], float lob
     float t_253 = t_250 - t_248;
     float t_254 = t_249 + t_251;
     float t_255 = t_249 - t_251;
-    float t_256 = t_86 + t_90 + t_94 + t_98 + t_102;
+    float t_256 = t_86 + t_90 + (t_94 + (t_98 + t_102));
     float t_257 = k_5 * t_86 + k_6 * t_90 - t_94 - k_7 * t_98 - k_8 * t_102;
     float t_258 = k_9 * t_86 - k_10 * t_90 - t_94 + k_11 * t_98 + k_12 * t_102;
     float t_259 = k_13 * t_86 - k_14 * t_90 + t_94 + k_15 * t_98 - k_16 * t_102;
     float t_260 = k_17 * t_86 - k_18 * t_90 + t_94 - k_19 * t_98 + k_20 * t_102;
-    float t_261 = t_64 + t_68 + t_72 + t_76 + t_80;
+    float t_261 = t_64 + t_68 + (t_72 + (t_76 + t_80));
     float t_262 = t_72 - k_5 * t_64 - k_6 * t_68 + k_7 * t_76 + k_8 * t_80;
     float t_263 = k_9 * t_64 - k_10 * t_68 - t_72 + k_11 * t_76 + k_12 * t_80;
     float t_264 = k_14 * t_68 - k_13 * t_64 - t_72 - k_15 * t_76 + k_16 * t_80;
@@ -1407,12 +1407,12 @@ void transfer_glossy_rgb_l5(float visibility[121], float samples[612], float lob
     float t_481 = t_478 - t_476;
     float t_482 = t_477 + t_479;
     float t_483 = t_477 - t_479;
-    float t_484 = t_426 + t_430 + t_434 + t_438 + t_442;
+    float t_484 = t_426 + t_430 + (t_434 + (t_438 + t_442));
     float t_485 = k_5 * t_426 + k_6 * t_430 - t_434 - k_7 * t_438 - k_8 * t_442;
     float t_486 = k_9 * t_426 - k_10 * t_430 - t_434 + k_11 * t_438 + k_12 * t_442;
     float t_487 = k_13 * t_426 - k_14 * t_430 + t_434 + k_15 * t_438 - k_16 * t_442;
     float t_488 = k_17 * t_426 - k_18 * t_430 + t_434 - k_19 * t_438 + k_20 * t_442;
-    float t_489 = t_404 + t_408 + t_412 + t_416 + t_420;
+    float t_489 = t_404 + t_408 + (t_412 + (t_416 + t_420));
     float t_490 = t_412 - k_5 * t_404 - k_6 * t_408 + k_7 * t_416 + k_8 * t_420;
     float t_491 = k_9 * t_404 - k_10 * t_408 - t_412 + k_11 * t_416 + k_12 * t_420;
     float t_492 = k_14 * t_408 - k_13 * t_404 - t_412 - k_15 * t_416 + k_16 * t_420;
@@ -1520,12 +1520,12 @@ void transfer_glossy_rgb_l5(float visibility[121], float samples[612], float lob
     float t_594 = t_591 - t_589;
     float t_595 = t_590 + t_592;
     float t_596 = t_590 - t_592;
-    float t_597 = t_427 + t_431 + t_435 + t_439 + t_443;
+    float t_597 = t_427 + t_431 + (t_435 + (t_439 + t_443));
     float t_598 = k_5 * t_427 + k_6 * t_431 - t_435 - k_7 * t_439 - k_8 * t_443;
     float t_599 = k_9 * t_427 - k_10 * t_431 - t_435 + k_11 * t_439 + k_12 * t_443;
     float t_600 = k_13 * t_427 - k_14 * t_431 + t_435 + k_15 * t_439 - k_16 * t_443;
     float t_601 = k_17 * t_427 - k_18 * t_431 + t_435 - k_19 * t_439 + k_20 * t_443;
-    float t_602 = t_405 + t_409 + t_413 + t_417 + t_421;
+    float t_602 = t_405 + t_409 + (t_413 + (t_417 + t_421));
     float t_603 = t_413 - k_5 * t_405 - k_6 * t_409 + k_7 * t_417 + k_8 * t_421;
     float t_604 = k_9 * t_405 - k_10 * t_409 - t_413 + k_11 * t_417 + k_12 * t_421;
     float t_605 = k_14 * t_409 - k_13 * t_405 - t_413 - k_15 * t_417 + k_16 * t_421;
@@ -1756,12 +1756,12 @@ void transfer_glossy_rgb_l5(float visibility[121], float samples[612], float lob
     float t_822 = t_819 - t_817;
     float t_823 = t_818 + t_820;
     float t_824 = t_818 - t_820;
-    float t_825 = t_767 + t_771 + t_775 + t_779 + t_783;
+    float t_825 = t_767 + t_771 + (t_775 + (t_779 + t_783));
     float t_826 = k_5 * t_767 + k_6 * t_771 - t_775 - k_7 * t_779 - k_8 * t_783;
     float t_827 = k_9 * t_767 - k_10 * t_771 - t_775 + k_11 * t_779 + k_12 * t_783;
     float t_828 = k_13 * t_767 - k_14 * t_771 + t_775 + k_15 * t_779 - k_16 * t_783;
     float t_829 = k_17 * t_767 - k_18 * t_771 + t_775 - k_19 * t_779 + k_20 * t_783;
-    float t_830 = t_745 + t_749 + t_753 + t_757 + t_761;
+    float t_830 = t_745 + t_749 + (t_753 + (t_757 + t_761));
     float t_831 = t_753 - k_5 * t_745 - k_6 * t_749 + k_7 * t_757 + k_8 * t_761;
     float t_832 = k_9 * t_745 - k_10 * t_749 - t_753 + k_11 * t_757 + k_12 * t_761;
     float t_833 = k_14 * t_749 - k_13 * t_745 - t_753 - k_15 * t_757 + k_16 * t_761;
@@ -1869,12 +1869,12 @@ void transfer_glossy_rgb_l5(float visibility[121], float samples[612], float lob
     float t_935 = t_932 - t_930;
     float t_936 = t_931 + t_933;
     float t_937 = t_931 - t_933;
-    float t_938 = t_768 + t_772 + t_776 + t_780 + t_784;
+    float t_938 = t_768 + t_772 + (t_776 + (t_780 + t_784));
     float t_939 = k_5 * t_768 + k_6 * t_772 - t_776 - k_7 * t_780 - k_8 * t_784;
     float t_940 = k_9 * t_768 - k_10 * t_772 - t_776 + k_11 * t_780 + k_12 * t_784;
     float t_941 = k_13 * t_768 - k_14 * t_772 + t_776 + k_15 * t_780 - k_16 * t_784;
     float t_942 = k_17 * t_768 - k_18 * t_772 + t_776 - k_19 * t_780 + k_20 * t_784;
-    float t_943 = t_746 + t_750 + t_754 + t_758 + t_762;
+    float t_943 = t_746 + t_750 + (t_754 + (t_758 + t_762));
     float t_944 = t_754 - k_5 * t_746 - k_6 * t_750 + k_7 * t_758 + k_8 * t_762;
     float t_945 = k_9 * t_746 - k_10 * t_750 - t_754 + k_11 * t_758 + k_12 * t_762;
     float t_946 = k_14 * t_750 - k_13 * t_746 - t_754 - k_15 * t_758 + k_16 * t_762;
@@ -2105,12 +2105,12 @@ void transfer_glossy_rgb_l5(float visibility[121], float samples[612], float lob
     float t_1163 = t_1160 - t_1158;
     float t_1164 = t_1159 + t_1161;
     float t_1165 = t_1159 - t_1161;
-    float t_1166 = t_1108 + t_1112 + t_1116 + t_1120 + t_1124;
+    float t_1166 = t_1108 + t_1112 + (t_1116 + (t_1120 + t_1124));
     float t_1167 = k_5 * t_1108 + k_6 * t_1112 - t_1116 - k_7 * t_1120 - k_8 * t_1124;
     float t_1168 = k_9 * t_1108 - k_10 * t_1112 - t_1116 + k_11 * t_1120 + k_12 * t_1124;
     float t_1169 = k_13 * t_1108 - k_14 * t_1112 + t_1116 + k_15 * t_1120 - k_16 * t_1124;
     float t_1170 = k_17 * t_1108 - k_18 * t_1112 + t_1116 - k_19 * t_1120 + k_20 * t_1124;
-    float t_1171 = t_1086 + t_1090 + t_1094 + t_1098 + t_1102;
+    float t_1171 = t_1086 + t_1090 + (t_1094 + (t_1098 + t_1102));
     float t_1172 = t_1094 - k_5 * t_1086 - k_6 * t_1090 + k_7 * t_1098 + k_8 * t_1102;
     float t_1173 = k_9 * t_1086 - k_10 * t_1090 - t_1094 + k_11 * t_1098 + k_12 * t_1102;
     float t_1174 = k_14 * t_1090 - k_13 * t_1086 - t_1094 - k_15 * t_1098 + k_16 * t_1102;
@@ -2218,12 +2218,12 @@ void transfer_glossy_rgb_l5(float visibility[121], float samples[612], float lob
     float t_1276 = t_1273 - t_1271;
     float t_1277 = t_1272 + t_1274;
     float t_1278 = t_1272 - t_1274;
-    float t_1279 = t_1109 + t_1113 + t_1117 + t_1121 + t_1125;
+    float t_1279 = t_1109 + t_1113 + (t_1117 + (t_1121 + t_1125));
     float t_1280 = k_5 * t_1109 + k_6 * t_1113 - t_1117 - k_7 * t_1121 - k_8 * t_1125;
     float t_1281 = k_9 * t_1109 - k_10 * t_1113 - t_1117 + k_11 * t_1121 + k_12 * t_1125;
     float t_1282 = k_13 * t_1109 - k_14 * t_1113 + t_1117 + k_15 * t_1121 - k_16 * t_1125;
     float t_1283 = k_17 * t_1109 - k_18 * t_1113 + t_1117 - k_19 * t_1121 + k_20 * t_1125;
-    float t_1284 = t_1087 + t_1091 + t_1095 + t_1099 + t_1103;
+    float t_1284 = t_1087 + t_1091 + (t_1095 + (t_1099 + t_1103));
     float t_1285 = t_1095 - k_5 * t_1087 - k_6 * t_1091 + k_7 * t_1099 + k_8 * t_1103;
     float t_1286 = k_9 * t_1087 - k_10 * t_1091 - t_1095 + k_11 * t_1099 + k_12 * t_1103;
     float t_1287 = k_14 * t_1091 - k_13 * t_1087 - t_1095 - k_15 * t_1099 + k_16 * t_1103;
@@ -2454,12 +2454,12 @@ void transfer_glossy_rgb_l5(float visibility[121], float samples[612], float lob
     float t_1504 = t_1501 - t_1499;
     float t_1505 = t_1500 + t_1502;
     float t_1506 = t_1500 - t_1502;
-    float t_1507 = t_1449 + t_1453 + t_1457 + t_1461 + t_1465;
+    float t_1507 = t_1449 + t_1453 + (t_1457 + (t_1461 + t_1465));
     float t_1508 = k_5 * t_1449 + k_6 * t_1453 - t_1457 - k_7 * t_1461 - k_8 * t_1465;
     float t_1509 = k_9 * t_1449 - k_10 * t_1453 - t_1457 + k_11 * t_1461 + k_12 * t_1465;
     float t_1510 = k_13 * t_1449 - k_14 * t_1453 + t_1457 + k_15 * t_1461 - k_16 * t_1465;
     float t_1511 = k_17 * t_1449 - k_18 * t_1453 + t_1457 - k_19 * t_1461 + k_20 * t_1465;
-    float t_1512 = t_1427 + t_1431 + t_1435 + t_1439 + t_1443;
+    float t_1512 = t_1427 + t_1431 + (t_1435 + (t_1439 + t_1443));
     float t_1513 = t_1435 - k_5 * t_1427 - k_6 * t_1431 + k_7 * t_1439 + k_8 * t_1443;
     float t_1514 = k_9 * t_1427 - k_10 * t_1431 - t_1435 + k_11 * t_1439 + k_12 * t_1443;
     float t_1515 = k_14 * t_1431 - k_13 * t_1427 - t_1435 - k_15 * t_1439 + k_16 * t_1443;
@@ -2567,12 +2567,12 @@ void transfer_glossy_rgb_l5(float visibility[121], float samples[612], float lob
     float t_1617 = t_1614 - t_1612;
     float t_1618 = t_1613 + t_1615;
     float t_1619 = t_1613 - t_1615;
-    float t_1620 = t_1450 + t_1454 + t_1458 + t_1462 + t_1466;
+    float t_1620 = t_1450 + t_1454 + (t_1458 + (t_1462 + t_1466));
     float t_1621 = k_5 * t_1450 + k_6 * t_1454 - t_1458 - k_7 * t_1462 - k_8 * t_1466;
     float t_1622 = k_9 * t_1450 - k_10 * t_1454 - t_1458 + k_11 * t_1462 + k_12 * t_1466;
     float t_1623 = k_13 * t_1450 - k_14 * t_1454 + t_1458 + k_15 * t_1462 - k_16 * t_1466;
     float t_1624 = k_17 * t_1450 - k_18 * t_1454 + t_1458 - k_19 * t_1462 + k_20 * t_1466;
-    float t_1625 = t_1428 + t_1432 + t_1436 + t_1440 + t_1444;
+    float t_1625 = t_1428 + t_1432 + (t_1436 + (t_1440 + t_1444));
     float t_1626 = t_1436 - k_5 * t_1428 - k_6 * t_1432 + k_7 * t_1440 + k_8 * t_1444;
     float t_1627 = k_9 * t_1428 - k_10 * t_1432 - t_1436 + k_11 * t_1440 + k_12 * t_1444;
     float t_1628 = k_14 * t_1432 - k_13 * t_1428 - t_1436 - k_15 * t_1440 + k_16 * t_1444;

@@ -15,10 +15,10 @@
 //               z2, ...: square roots of the zeros of the Jacobi polynomial P_6^(1,-1/2)(2t-1), falling
 // Cost:         3478 multiplications, 4843 additions; longest chain 53; at most 335 values live
 // Error:        eps counts units of machine epsilon x |visibility| |light| |lobe|, |light| = 1
-//               float   rounding  largest seen 9.7e-08 (0.8 eps)
-//                       total     largest seen 1.1e-07 (0.9 eps)
+//               float   rounding  largest seen 9.4e-08 (0.8 eps)
+//                       total     largest seen 9.3e-08 (0.8 eps)
 //               double  rounding  largest seen 1.9e-16 (0.8 eps)
-//                       total     largest seen 1.9e-16 (0.9 eps)
+//                       total     largest seen 2.4e-16 (1.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a sampled function
 //               total:    against the exact function at the direction scaled to length 1
@@ -1663,7 +1663,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_180 = t_109 + t_179;
     float t_181 = t_105 + t_117;
     float t_182 = k_9 * (t_105 - k_8 * t_117);
-    float t_183 = t_101 + t_109 + t_113 + t_121 + t_181;
+    float t_183 = t_101 + t_109 + (t_113 + (t_121 + t_181));
     float t_184 = k_10 * t_178 - k_11 * t_180 + t_182;
     float t_185 = k_18 * t_178 + k_19 * t_180 - t_181;
     float t_186 = k_12 * t_101 - k_13 * t_109 - k_14 * t_113 + k_15 * t_121 - t_182;
@@ -1675,7 +1675,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_192 = t_83 + t_191;
     float t_193 = t_79 + t_91;
     float t_194 = k_9 * (t_79 - k_8 * t_91);
-    float t_195 = t_75 + t_83 + t_87 + t_95 + t_193;
+    float t_195 = t_75 + t_83 + (t_87 + (t_95 + t_193));
     float t_196 = k_11 * t_192 - k_10 * t_190 - t_194;
     float t_197 = k_18 * t_190 + k_19 * t_192 - t_193;
     float t_198 = k_12 * t_75 - k_13 * t_83 - k_14 * t_87 + k_15 * t_95 - t_194;
@@ -1824,7 +1824,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_341 = t_110 + t_340;
     float t_342 = t_106 + t_118;
     float t_343 = k_9 * (t_106 - k_8 * t_118);
-    float t_344 = t_102 + t_110 + t_114 + t_122 + t_342;
+    float t_344 = t_102 + t_110 + (t_114 + (t_122 + t_342));
     float t_345 = k_10 * t_339 - k_11 * t_341 + t_343;
     float t_346 = k_18 * t_339 + k_19 * t_341 - t_342;
     float t_347 = k_12 * t_102 - k_13 * t_110 - k_14 * t_114 + k_15 * t_122 - t_343;
@@ -1836,7 +1836,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_353 = t_84 + t_352;
     float t_354 = t_80 + t_92;
     float t_355 = k_9 * (t_80 - k_8 * t_92);
-    float t_356 = t_76 + t_84 + t_88 + t_96 + t_354;
+    float t_356 = t_76 + t_84 + (t_88 + (t_96 + t_354));
     float t_357 = k_11 * t_353 - k_10 * t_351 - t_355;
     float t_358 = k_18 * t_351 + k_19 * t_353 - t_354;
     float t_359 = k_12 * t_76 - k_13 * t_84 - k_14 * t_88 + k_15 * t_96 - t_355;
@@ -2140,7 +2140,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_641 = t_570 + t_640;
     float t_642 = t_566 + t_578;
     float t_643 = k_9 * (t_566 - k_8 * t_578);
-    float t_644 = t_562 + t_570 + t_574 + t_582 + t_642;
+    float t_644 = t_562 + t_570 + (t_574 + (t_582 + t_642));
     float t_645 = k_10 * t_639 - k_11 * t_641 + t_643;
     float t_646 = k_18 * t_639 + k_19 * t_641 - t_642;
     float t_647 = k_12 * t_562 - k_13 * t_570 - k_14 * t_574 + k_15 * t_582 - t_643;
@@ -2152,7 +2152,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_653 = t_544 + t_652;
     float t_654 = t_540 + t_552;
     float t_655 = k_9 * (t_540 - k_8 * t_552);
-    float t_656 = t_536 + t_544 + t_548 + t_556 + t_654;
+    float t_656 = t_536 + t_544 + (t_548 + (t_556 + t_654));
     float t_657 = k_11 * t_653 - k_10 * t_651 - t_655;
     float t_658 = k_18 * t_651 + k_19 * t_653 - t_654;
     float t_659 = k_12 * t_536 - k_13 * t_544 - k_14 * t_548 + k_15 * t_556 - t_655;
@@ -2301,7 +2301,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_802 = t_571 + t_801;
     float t_803 = t_567 + t_579;
     float t_804 = k_9 * (t_567 - k_8 * t_579);
-    float t_805 = t_563 + t_571 + t_575 + t_583 + t_803;
+    float t_805 = t_563 + t_571 + (t_575 + (t_583 + t_803));
     float t_806 = k_10 * t_800 - k_11 * t_802 + t_804;
     float t_807 = k_18 * t_800 + k_19 * t_802 - t_803;
     float t_808 = k_12 * t_563 - k_13 * t_571 - k_14 * t_575 + k_15 * t_583 - t_804;
@@ -2313,7 +2313,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_814 = t_545 + t_813;
     float t_815 = t_541 + t_553;
     float t_816 = k_9 * (t_541 - k_8 * t_553);
-    float t_817 = t_537 + t_545 + t_549 + t_557 + t_815;
+    float t_817 = t_537 + t_545 + (t_549 + (t_557 + t_815));
     float t_818 = k_11 * t_814 - k_10 * t_812 - t_816;
     float t_819 = k_18 * t_812 + k_19 * t_814 - t_815;
     float t_820 = k_12 * t_537 - k_13 * t_545 - k_14 * t_549 + k_15 * t_557 - t_816;
@@ -2617,7 +2617,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_1102 = t_1031 + t_1101;
     float t_1103 = t_1027 + t_1039;
     float t_1104 = k_9 * (t_1027 - k_8 * t_1039);
-    float t_1105 = t_1023 + t_1031 + t_1035 + t_1043 + t_1103;
+    float t_1105 = t_1023 + t_1031 + (t_1035 + (t_1043 + t_1103));
     float t_1106 = k_10 * t_1100 - k_11 * t_1102 + t_1104;
     float t_1107 = k_18 * t_1100 + k_19 * t_1102 - t_1103;
     float t_1108 = k_12 * t_1023 - k_13 * t_1031 - k_14 * t_1035 + k_15 * t_1043 - t_1104;
@@ -2629,7 +2629,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_1114 = t_1005 + t_1113;
     float t_1115 = t_1001 + t_1013;
     float t_1116 = k_9 * (t_1001 - k_8 * t_1013);
-    float t_1117 = t_997 + t_1005 + t_1009 + t_1017 + t_1115;
+    float t_1117 = t_997 + t_1005 + (t_1009 + (t_1017 + t_1115));
     float t_1118 = k_11 * t_1114 - k_10 * t_1112 - t_1116;
     float t_1119 = k_18 * t_1112 + k_19 * t_1114 - t_1115;
     float t_1120 = k_12 * t_997 - k_13 * t_1005 - k_14 * t_1009 + k_15 * t_1017 - t_1116;
@@ -2778,7 +2778,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_1263 = t_1032 + t_1262;
     float t_1264 = t_1028 + t_1040;
     float t_1265 = k_9 * (t_1028 - k_8 * t_1040);
-    float t_1266 = t_1024 + t_1032 + t_1036 + t_1044 + t_1264;
+    float t_1266 = t_1024 + t_1032 + (t_1036 + (t_1044 + t_1264));
     float t_1267 = k_10 * t_1261 - k_11 * t_1263 + t_1265;
     float t_1268 = k_18 * t_1261 + k_19 * t_1263 - t_1264;
     float t_1269 = k_12 * t_1024 - k_13 * t_1032 - k_14 * t_1036 + k_15 * t_1044 - t_1265;
@@ -2790,7 +2790,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_1275 = t_1006 + t_1274;
     float t_1276 = t_1002 + t_1014;
     float t_1277 = k_9 * (t_1002 - k_8 * t_1014);
-    float t_1278 = t_998 + t_1006 + t_1010 + t_1018 + t_1276;
+    float t_1278 = t_998 + t_1006 + (t_1010 + (t_1018 + t_1276));
     float t_1279 = k_11 * t_1275 - k_10 * t_1273 - t_1277;
     float t_1280 = k_18 * t_1273 + k_19 * t_1275 - t_1276;
     float t_1281 = k_12 * t_998 - k_13 * t_1006 - k_14 * t_1010 + k_15 * t_1018 - t_1277;
@@ -3098,7 +3098,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_1563 = t_1492 + t_1562;
     float t_1564 = t_1488 + t_1500;
     float t_1565 = k_9 * (t_1488 - k_8 * t_1500);
-    float t_1566 = t_1484 + t_1492 + t_1496 + t_1504 + t_1564;
+    float t_1566 = t_1484 + t_1492 + (t_1496 + (t_1504 + t_1564));
     float t_1567 = k_10 * t_1561 - k_11 * t_1563 + t_1565;
     float t_1568 = k_18 * t_1561 + k_19 * t_1563 - t_1564;
     float t_1569 = k_12 * t_1484 - k_13 * t_1492 - k_14 * t_1496 + k_15 * t_1504 - t_1565;
@@ -3110,7 +3110,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_1575 = t_1466 + t_1574;
     float t_1576 = t_1462 + t_1474;
     float t_1577 = k_9 * (t_1462 - k_8 * t_1474);
-    float t_1578 = t_1458 + t_1466 + t_1470 + t_1478 + t_1576;
+    float t_1578 = t_1458 + t_1466 + (t_1470 + (t_1478 + t_1576));
     float t_1579 = k_11 * t_1575 - k_10 * t_1573 - t_1577;
     float t_1580 = k_18 * t_1573 + k_19 * t_1575 - t_1576;
     float t_1581 = k_12 * t_1458 - k_13 * t_1466 - k_14 * t_1470 + k_15 * t_1478 - t_1577;
@@ -3259,7 +3259,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_1724 = t_1493 + t_1723;
     float t_1725 = t_1489 + t_1501;
     float t_1726 = k_9 * (t_1489 - k_8 * t_1501);
-    float t_1727 = t_1485 + t_1493 + t_1497 + t_1505 + t_1725;
+    float t_1727 = t_1485 + t_1493 + (t_1497 + (t_1505 + t_1725));
     float t_1728 = k_10 * t_1722 - k_11 * t_1724 + t_1726;
     float t_1729 = k_18 * t_1722 + k_19 * t_1724 - t_1725;
     float t_1730 = k_12 * t_1485 - k_13 * t_1493 - k_14 * t_1497 + k_15 * t_1505 - t_1726;
@@ -3271,7 +3271,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_1736 = t_1467 + t_1735;
     float t_1737 = t_1463 + t_1475;
     float t_1738 = k_9 * (t_1463 - k_8 * t_1475);
-    float t_1739 = t_1459 + t_1467 + t_1471 + t_1479 + t_1737;
+    float t_1739 = t_1459 + t_1467 + (t_1471 + (t_1479 + t_1737));
     float t_1740 = k_11 * t_1736 - k_10 * t_1734 - t_1738;
     float t_1741 = k_18 * t_1734 + k_19 * t_1736 - t_1737;
     float t_1742 = k_12 * t_1459 - k_13 * t_1467 - k_14 * t_1471 + k_15 * t_1479 - t_1738;
@@ -3581,7 +3581,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_2024 = t_1953 + t_2023;
     float t_2025 = t_1949 + t_1961;
     float t_2026 = k_9 * (t_1949 - k_8 * t_1961);
-    float t_2027 = t_1945 + t_1953 + t_1957 + t_1965 + t_2025;
+    float t_2027 = t_1945 + t_1953 + (t_1957 + (t_1965 + t_2025));
     float t_2028 = k_10 * t_2022 - k_11 * t_2024 + t_2026;
     float t_2029 = k_18 * t_2022 + k_19 * t_2024 - t_2025;
     float t_2030 = k_12 * t_1945 - k_13 * t_1953 - k_14 * t_1957 + k_15 * t_1965 - t_2026;
@@ -3593,7 +3593,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_2036 = t_1927 + t_2035;
     float t_2037 = t_1923 + t_1935;
     float t_2038 = k_9 * (t_1923 - k_8 * t_1935);
-    float t_2039 = t_1919 + t_1927 + t_1931 + t_1939 + t_2037;
+    float t_2039 = t_1919 + t_1927 + (t_1931 + (t_1939 + t_2037));
     float t_2040 = k_11 * t_2036 - k_10 * t_2034 - t_2038;
     float t_2041 = k_18 * t_2034 + k_19 * t_2036 - t_2037;
     float t_2042 = k_12 * t_1919 - k_13 * t_1927 - k_14 * t_1931 + k_15 * t_1939 - t_2038;
@@ -3742,7 +3742,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_2185 = t_1954 + t_2184;
     float t_2186 = t_1950 + t_1962;
     float t_2187 = k_9 * (t_1950 - k_8 * t_1962);
-    float t_2188 = t_1946 + t_1954 + t_1958 + t_1966 + t_2186;
+    float t_2188 = t_1946 + t_1954 + (t_1958 + (t_1966 + t_2186));
     float t_2189 = k_10 * t_2183 - k_11 * t_2185 + t_2187;
     float t_2190 = k_18 * t_2183 + k_19 * t_2185 - t_2186;
     float t_2191 = k_12 * t_1946 - k_13 * t_1954 - k_14 * t_1958 + k_15 * t_1966 - t_2187;
@@ -3754,7 +3754,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_2197 = t_1928 + t_2196;
     float t_2198 = t_1924 + t_1936;
     float t_2199 = k_9 * (t_1924 - k_8 * t_1936);
-    float t_2200 = t_1920 + t_1928 + t_1932 + t_1940 + t_2198;
+    float t_2200 = t_1920 + t_1928 + (t_1932 + (t_1940 + t_2198));
     float t_2201 = k_11 * t_2197 - k_10 * t_2195 - t_2199;
     float t_2202 = k_18 * t_2195 + k_19 * t_2197 - t_2198;
     float t_2203 = k_12 * t_1920 - k_13 * t_1928 - k_14 * t_1932 + k_15 * t_1940 - t_2199;
@@ -4066,7 +4066,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_2485 = t_2414 + t_2484;
     float t_2486 = t_2410 + t_2422;
     float t_2487 = k_9 * (t_2410 - k_8 * t_2422);
-    float t_2488 = t_2406 + t_2414 + t_2418 + t_2426 + t_2486;
+    float t_2488 = t_2406 + t_2414 + (t_2418 + (t_2426 + t_2486));
     float t_2489 = k_10 * t_2483 - k_11 * t_2485 + t_2487;
     float t_2490 = k_18 * t_2483 + k_19 * t_2485 - t_2486;
     float t_2491 = k_12 * t_2406 - k_13 * t_2414 - k_14 * t_2418 + k_15 * t_2426 - t_2487;
@@ -4078,7 +4078,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_2497 = t_2388 + t_2496;
     float t_2498 = t_2384 + t_2396;
     float t_2499 = k_9 * (t_2384 - k_8 * t_2396);
-    float t_2500 = t_2380 + t_2388 + t_2392 + t_2400 + t_2498;
+    float t_2500 = t_2380 + t_2388 + (t_2392 + (t_2400 + t_2498));
     float t_2501 = k_11 * t_2497 - k_10 * t_2495 - t_2499;
     float t_2502 = k_18 * t_2495 + k_19 * t_2497 - t_2498;
     float t_2503 = k_12 * t_2380 - k_13 * t_2388 - k_14 * t_2392 + k_15 * t_2400 - t_2499;
@@ -4227,7 +4227,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_2646 = t_2415 + t_2645;
     float t_2647 = t_2411 + t_2423;
     float t_2648 = k_9 * (t_2411 - k_8 * t_2423);
-    float t_2649 = t_2407 + t_2415 + t_2419 + t_2427 + t_2647;
+    float t_2649 = t_2407 + t_2415 + (t_2419 + (t_2427 + t_2647));
     float t_2650 = k_10 * t_2644 - k_11 * t_2646 + t_2648;
     float t_2651 = k_18 * t_2644 + k_19 * t_2646 - t_2647;
     float t_2652 = k_12 * t_2407 - k_13 * t_2415 - k_14 * t_2419 + k_15 * t_2427 - t_2648;
@@ -4239,7 +4239,7 @@ void transfer_glossy_rgb_l6(float visibility[169], float samples[876], float lob
     float t_2658 = t_2389 + t_2657;
     float t_2659 = t_2385 + t_2397;
     float t_2660 = k_9 * (t_2385 - k_8 * t_2397);
-    float t_2661 = t_2381 + t_2389 + t_2393 + t_2401 + t_2659;
+    float t_2661 = t_2381 + t_2389 + (t_2393 + (t_2401 + t_2659));
     float t_2662 = k_11 * t_2658 - k_10 * t_2656 - t_2660;
     float t_2663 = k_18 * t_2656 + k_19 * t_2658 - t_2659;
     float t_2664 = k_12 * t_2381 - k_13 * t_2389 - k_14 * t_2393 + k_15 * t_2401 - t_2660;

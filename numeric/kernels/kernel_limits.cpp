@@ -9,12 +9,21 @@
 namespace sh::numeric {
 namespace {
 
-// Kernels, by the start of their names, in which Mesa 22 multiplies neighboring constants together although the result
-// is declared invariant. Their errors in GLSL are held to the limits all the same.
-constexpr std::array kRegroupedAnyway = {"product_l5",         "product_l8", "product_l10",
-                                         "square_l5",          "square_l8",  "square_l10",
-                                         "triple_l8",          "triple_l10", "basis_gradient_accurate_l",
-                                         "evaluate_prepare_l", "project_l"};
+// Kernels, by the start of their names, in which Mesa 22 multiplies neighboring constants together, or adds in another
+// order, although the result is declared invariant. Their errors in GLSL are held to the limits all the same.
+constexpr std::array kRegroupedAnyway = {"product_l5",
+                                         "product_l8",
+                                         "product_l10",
+                                         "square_l5",
+                                         "square_l8",
+                                         "square_l10",
+                                         "triple_l8",
+                                         "triple_l10",
+                                         "basis_gradient_accurate_l",
+                                         "evaluate_prepare_l",
+                                         "project_l",
+                                         "transfer_apply_l6",
+                                         "transfer_apply_rgb_l6"};
 
 // The errors are measured with 106 bits: their own error in eps is far below this, but not 0 as some bounds are.
 constexpr double kCheckError = 1e-6;

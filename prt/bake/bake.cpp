@@ -68,11 +68,6 @@ void check(const BakeJob& job) {
         "{}: its surfaces shine, and {} does not bounce their light; expected no emission, or a kind of {} or {}",
         job.scene.name, options.kind->word, kGlossyShadowed.word, kInterreflected.word));
   }
-  if (options.kind->indirect != nullptr && options.bounces.directions > 0) {
-    throw std::invalid_argument(
-        fmt::format("{}: bounce_directions: {} bounces light along all directions; expected none, or {}",
-                    job.scene.name, options.kind->word, kInterreflected.word));
-  }
   if (options.kind->indirect != nullptr) require_glossy_bounce_memory(job.scene, memory_of_machine());
   if (options.compress.clusters > kMostClusters || options.compress.vectors > kMostVectors) {
     throw std::invalid_argument(fmt::format("compress: expected 1 to {} clusters of 0 to {} vectors, got {} of {}",

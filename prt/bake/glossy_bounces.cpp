@@ -37,7 +37,7 @@ class Bounces {
         term_(mesh_, transfer_.degree()),
         next_(mesh_, transfer_.degree()),
         hits_(vertices_),
-        tracers_([&rays] { return Gatherer(rays.mesh, rays.starts, rays.tracer, rays.directions); }) {}
+        tracers_([&rays] { return Gatherer(rays.mesh, rays.starts, rays.tracer, rays.along_bounces()); }) {}
 
   void solve(const BounceOptions& options) {
     term_.take_direct(transfer_.rows());
@@ -83,7 +83,7 @@ class Bounces {
 
   [[nodiscard]] bool is_open(std::size_t vertex) const { return !open_.empty() && open_[vertex] != 0; }
 
-  // next = K term.
+  // next = K term; overwrites the term.
   void bounce() {
     const GlossyExit leaving(mesh_, term_);
     output::Progress progress(fmt::format("bounce {}", transfer_.bounces.applications + 1), vertices_);
@@ -91,7 +91,7 @@ class Bounces {
       output::check_interrupt();
       const std::vector<BlockedAt> again =
           kept_[v] != 0 ? std::vector<BlockedAt>() : rays_to_fronts(tracers_.local(), mesh_, v);
-      leaving.collect(kept_[v] != 0 ? hits_[v] : again, rays_.directions.size(), next_.of(v));
+      leaving.collect(kept_[v] != 0 ? hits_[v] : again, rays_.along_bounces().size(), next_.of(v));
       progress.advance();
     });
     progress.finish();
@@ -165,7 +165,9 @@ void solve_glossy_bounces(const RaySetup& rays, const ShadowResult& found, const
 }
 
 void add_glossy_bounces(BakeRun& run) {
-  solve_glossy_bounces(*run.rays, *run.found, run.open, run.settings.bounce_memory, run.scene.bake.bounces);
+  const BakeOptions& options = run.scene.bake;
+  solve_glossy_bounces(*run.rays, *run.found, run.open, run.settings.bounce_memory, options.bounces);
+  run.transfer.bounces.directions = static_cast<std::uint32_t>(options.fewer_for_bounces());
 }
 
 }  // namespace sh::prt

@@ -2,6 +2,9 @@
 // is a matrix F_q (rows x columns, for each channel). What leaves it towards d is
 //   u_q(d) = albedo (A Y(n))^T F_q + specular (lambda Y(R(d)))^T F_q,
 // the same convolutions as at run time (prt/runtime/glossy.hpp), A those of the clamped cosine, lambda those of the lobe.
+// A ray along s meets the eye at d = -s and is mirrored to R(d) = H s, H = 1 - 2 n n^T. Each band is turned in itself,
+// Y(H s) = D Y(s), so that what leaves a vertex is linear in Y(s), too:
+//   u_q(-s) = Y(s)^T U_q,  U_q = specular D lambda F_q, and albedo (A Y(n))^T F_q / Y_00 in its first row.
 // It is interpolated between the corners of a face as in pictures; one-sided faces are black from behind.
 #pragma once
 #include <Eigen/Core>
@@ -57,8 +60,9 @@ std::vector<BlockedAt> rays_to_fronts(Gatherer& gatherer, const Mesh& mesh, std:
 
 class GlossyExit {
  public:
-  /// Of surfaces that `reaching` reaches; both must outlive the result. Runs on the threads of the caller's arena.
-  GlossyExit(const Mesh& mesh, const MatrixTable& reaching);
+  /// Of surfaces that `reaching` reaches; both must outlive the result. Overwrites the matrices of vertices with lobes by
+  /// what leaves them. Runs on the threads of the caller's arena.
+  GlossyExit(const Mesh& mesh, MatrixTable& reaching);
 
   /// out (reaching.size), the matrix of a vertex whose rays, of this many directions, meet fronts here:
   ///   M_p = sum over j of w_j Y(s_j) u_qj(-s_j)^T.
@@ -66,13 +70,16 @@ class GlossyExit {
 
  private:
   void add_weighed(const float* weights, std::size_t vertex, const Eigen::Vector3f& color, float* row) const;
-  void add_exit(const BlockedAt& ray, float* row) const;
+  void turn(std::size_t vertex);
+  void add_exit(const BlockedAt& ray, const float* basis, float* row) const;
+  [[nodiscard]] bool has_lobe(std::size_t vertex) const {
+    return !mesh_.specular.empty() && !mesh_.specular[vertex].isZero(0.0F);
+  }
 
   const Mesh& mesh_;
-  const MatrixTable& reaching_;
-  std::vector<float> lobes_;             // (vertices, bands), empty without lobes
+  MatrixTable& matrices_;                // of vertices with a lobe U, of others F
   std::vector<std::uint32_t> in_order_;  // 0, 1, 2, ...
-  std::vector<float> diffuse_;           // what leaves each vertex diffusely, (vertices, reaching.row)
+  std::vector<float> diffuse_;           // what leaves each vertex diffusely, (vertices, row)
 };
 
 }  // namespace sh::prt

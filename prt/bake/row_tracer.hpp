@@ -46,8 +46,13 @@ struct RaySetup {
   MirrorPaths mirrors{mesh, tracer};
   SurfaceReceivers receivers{mesh};
   SharedDirections directions;
-  std::optional<SharedDirections> bounce_directions;  // those of form factors, where they are others
+  std::optional<SharedDirections> bounce_directions;  // those of bounces, where they are others
   std::vector<RayStart> starts;
+
+  /// Those along which surfaces see each other.
+  [[nodiscard]] const SharedDirections& along_bounces() const {
+    return bounce_directions ? *bounce_directions : directions;
+  }
 
  private:
   static std::optional<SharedDirections> for_bounces(BakeOptions options);

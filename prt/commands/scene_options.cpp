@@ -51,7 +51,7 @@ void SceneOptions::add_to(CLI::App& command) {
   command
       .add_option(
           "--bounce-directions", bounce_directions,
-          "directions along which diffuse surfaces see each other, fewer than for shadows; instead of the scene's")
+          "directions along which surfaces see each other, fewer than for shadows; instead of the scene's")
       ->check(CLI::Range(1, kMaxDirections));
   command.add_option("--kind", kind, "kind of transfer, instead of the scene's")
       ->check(words(kind_names(&TransferKind::word)));

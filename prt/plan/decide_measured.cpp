@@ -253,7 +253,8 @@ double floor_of_directions(Draft& draft) {
 
 // Fewer directions for bounces make errors that more directions for shadows balance. What both cost together decides.
 void decide_hits(Draft& draft) {
-  constexpr double kBounceCost = 6.0;  // of a direction's hits in all bounces, over the rays of a direction
+  // Of a direction's hits in all bounces, over the rays of a direction. Lobes meet a matrix at each corner of a hit.
+  const double bounce_cost = draft.bake.kind->stores_matrices() ? 100.0 : 6.0;
   const int asked = draft.bake.directions;
   const auto as_asked = [&](const char* why) {
     draft.bounce_part = 1;
@@ -263,11 +264,11 @@ void decide_hits(Draft& draft) {
                      : std::string("of all directions"),
                  why);
   };
-  if (!draft.bake.kind->has_form_factors()) {
+  if (!draft.bake.kind->has_bounces()) {
     return draft.decide("hits", "none", "without bounces there are none");
   }
   if (draft.shines()) return as_asked("the measurement does not see the light of surfaces");
-  const double hits = kBounceCost * draft.blocked();
+  const double hits = bounce_cost * draft.blocked();
   int best = 1;
   double least = 0.0;
   for (const int part : {1, 4, 8}) {

@@ -52,16 +52,17 @@ void Draft::decide(std::string_view name, std::string choice, std::string why, d
 }
 
 // A bake traces the directions above the horizons of both normals, and once more those that are blocked, if their closest
-// hits matter. Bounces may have directions of their own.
+// hits matter. Bounces may have directions of their own; those between lobes trace theirs again.
 PlanCost Draft::cost() const {
   const int fewer = bake.fewer_for_bounces();
-  const bool always = (bake.kind->has_bounces() && fewer == 0) || has_mirrors();
+  const bool always = (bake.kind->has_form_factors() && fewer == 0) || has_mirrors();
+  const int apart = bake.kind->stores_matrices() && fewer == 0 ? bake.directions : fewer;
   double rays = 0.0;
   for (std::size_t v = 0; v < starts.size(); ++v) {
     if (plan.open[v] != 0) continue;
     const double again = measurement ? 1.0 + measurement->blocked(v) : 1.0;
     const bool all_again = measurement && (always || measurement->is_nearly_dark(v));
-    rays += upward_[v] * (static_cast<double>(bake.directions) * (all_again ? again : 1.0) + fewer * again);
+    rays += upward_[v] * (static_cast<double>(bake.directions) * (all_again ? again : 1.0) + apart * again);
   }
   return {static_cast<std::int64_t>(stored_shape(clusters).stored_bytes(starts.size())),
           std::llround(correction_ * rays)};

@@ -74,7 +74,7 @@ struct Draft {
   [[nodiscard]] RowShape traced_shape() const { return {*bake.kind, scene.mesh, asked.degree}; }
   /// The current bake, along other directions.
   [[nodiscard]] BakeOptions along(int directions) const;
-  /// The directions of its form factors then.
+  /// The directions of its bounces then.
   [[nodiscard]] int bounces_along(int directions) const;
   /// The stated error of the plan so far with this many directions; that of the directions themselves counts only if the
   /// user does not skip this decision.
@@ -109,7 +109,7 @@ double measured_error_of(const Draft& draft, Element element);
 /// Only where the scene asks for clusters: makes room for their error, if they take fewer bytes than rows. The bake finds
 /// the error of each of the counts.
 void decide_clusters(Draft& draft);
-/// Fewer directions for the form factors, a part of those for shadows, if the bake then costs less for the same error.
+/// Fewer directions for the bounces, a part of those for shadows, if the bake then costs less for the same error.
 void decide_hits(Draft& draft);
 /// The error of the requested number of directions alone, which the budget reserves; throws if it exceeds the budget.
 double floor_of_directions(Draft& draft);

@@ -71,7 +71,7 @@ constexpr std::array kSteps = {Step{"analytic", decide_analytic, true},
                                Step{"symmetry", decide_symmetry, false, &TransferKind::is_diffuse},
                                Step{"storage", decide_storage, false, &TransferKind::stores_numbers},
                                Step{kClustersDecision, decide_clusters, false, &TransferKind::stores_numbers},
-                               Step{"hits", decide_hits, false, &TransferKind::has_form_factors},
+                               Step{"hits", decide_hits, false, &TransferKind::has_bounces},
                                Step{"directions", decide_directions, false, &TransferKind::traces_rays}};
 
 }  // namespace

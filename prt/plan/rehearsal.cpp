@@ -150,16 +150,16 @@ MatrixTable Rehearsal::reaching(int degree) const {
 // Writes the matrices of `rows`: one bounce of what leaves the surfaces by the mean of the coarse bakes.
 void Rehearsal::gather_from_lobes(const BakeOptions& options, const RaySetup& setup, const TracedPart& part,
                                   const std::vector<std::uint8_t>& open, float* rows) const {
-  const MatrixTable light = reaching(options.degree);
+  MatrixTable light = reaching(options.degree);
   const GlossyExit leaving(mesh_, light);
   const RowShape shape(*options.kind, mesh_, asked_.degree);
   tbb::enumerable_thread_specific<Gatherer> tracers(
-      [&] { return Gatherer(setup.mesh, setup.starts, setup.tracer, setup.directions); });
+      [&] { return Gatherer(setup.mesh, setup.starts, setup.tracer, setup.along_bounces()); });
   for_vertices(part.size(), [&](std::size_t i) {
     const std::uint32_t v = part.vertices()[i];
     if (!open.empty() && open[v] != 0) return;
     std::vector<float> matrix(light.size);
-    leaving.collect(rays_to_fronts(tracers.local(), mesh_, v), setup.directions.size(), matrix.data());
+    leaving.collect(rays_to_fronts(tracers.local(), mesh_, v), setup.along_bounces().size(), matrix.data());
     light.copy(matrix.data(), *shape.matrices, rows + i * shape.length() + shape.numbers.length());
   });
 }
@@ -180,15 +180,16 @@ double Rehearsal::spread_between_lobes(const std::vector<LightCoefficients>& lig
   MatrixTable whole(mesh_, asked_.degree);
   whole.take_direct(difference.rows());
   whole.add(difference.indirect, difference.indirect_shape);
-  const GlossyExit leaving(mesh_, whole);
+  MatrixTable sent = whole;
+  const GlossyExit leaving(mesh_, sent);
   MatrixTable local = whole;  // whole - K whole, K the mean operator of the coarse bakes
   for (const auto& half : halves_) {
     const RaySetup& setup = half->setup;
     tbb::enumerable_thread_specific<Gatherer> tracers(
-        [&] { return Gatherer(setup.mesh, setup.starts, setup.tracer, setup.directions); });
+        [&] { return Gatherer(setup.mesh, setup.starts, setup.tracer, setup.along_bounces()); });
     MatrixTable reflected(mesh_, asked_.degree);
     for_vertices(vertices, [&](std::size_t v) {
-      leaving.collect(rays_to_fronts(tracers.local(), mesh_, v), setup.directions.size(), reflected.of(v));
+      leaving.collect(rays_to_fronts(tracers.local(), mesh_, v), setup.along_bounces().size(), reflected.of(v));
     });
     Fill(closed_vertices(mesh_, half->sight)).apply(reflected.values.data(), reflected.size, reflected.size);
     local.add(reflected, -0.5F);

@@ -41,9 +41,9 @@ struct BakeOptions {
   bool compress_by_plan = false;  // in place of `compress`: a plan with an error chooses the counts
   bool fit_lobes = false;         // glossy kinds only: lobes in place of BRDFs
 
-  /// The directions of form factors, if the kind has them and they are fewer than those of the bake; else 0.
+  /// The directions of bounces, if the kind has bounces and they are fewer than those of the bake; else 0.
   [[nodiscard]] int fewer_for_bounces() const {
-    return kind->has_form_factors() && bounces.directions < directions ? bounces.directions : 0;
+    return kind->has_bounces() && bounces.directions < directions ? bounces.directions : 0;
   }
 };
 

@@ -118,14 +118,10 @@ TEST(BounceDirections, TakeMemoryByTheirNumber) {
   EXPECT_LT(bytes(128), 0.2 * bytes(0));
 }
 
-TEST(BounceDirections, AreLeftToKindsWithoutBouncesAndRefusedByGlossyBounces) {
+TEST(BounceDirections, AreLeftToKindsWithoutBounces) {
   Scene scene = scene_along(bowl({0.8F, 0.5F, 0.2F}), 64, 16);
   scene.bake.kind = &kShadowed;
   EXPECT_EQ(bake(scene).coefficients, baked(scene.mesh, &kShadowed, 64).coefficients);
-  scene.bake.kind = &kGlossyInterreflected;
-  EXPECT_EQ(message_of([&] { bake(scene); }),
-            "test: bounce_directions: glossy_interreflected bounces light along all directions; expected none, or "
-            "interreflected");
 }
 
 }  // namespace

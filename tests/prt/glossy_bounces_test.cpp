@@ -37,7 +37,8 @@ std::vector<double> one_bounce(const Transfer& transfer, const TransferredRadian
   const Mesh& mesh = transfer.mesh;
   const Tracer tracer(mesh, 1, transfer.instruction_set);
   const std::size_t count = coefficient_count(transfer.degree());
-  const auto directions = static_cast<int>(transfer.directions);
+  const std::uint32_t fewer = transfer.bounces.directions;
+  const auto directions = static_cast<int>(fewer > 0 ? fewer : transfer.directions);
   std::vector<double> sum(direct.at(v), direct.at(v) + 3 * count);
   const Eigen::Vector3f origin = ray_starts(mesh)[v].origin;
   for (const Eigen::Vector3f& s : make_directions(Sampler::kFibonacci, directions)) {
@@ -63,8 +64,9 @@ std::vector<double> one_bounce(const Transfer& transfer, const TransferredRadian
   return sum;
 }
 
-void expect_fixed_point(const Mesh& mesh, int degree, std::size_t channels) {
+void expect_fixed_point(const Mesh& mesh, int degree, std::size_t channels, int for_bounces = 0) {
   Scene scene = scene_of(mesh, &kGlossyInterreflected, 256, degree);
+  scene.bake.bounces.directions = for_bounces;
   scene.bake.bounces.tolerance = 1e-6;
   const Transfer transfer = bake(scene);
   EXPECT_EQ(transfer.indirect_shape.channels, channels);
@@ -88,6 +90,32 @@ void expect_fixed_point(const Mesh& mesh, int degree, std::size_t channels) {
 
 TEST(GlossyBounces, ReachEveryVertexAsTheRunTimeSendsThemFromEverySurface) {
   for (const int degree : {0, 1, kHighestProduct}) expect_fixed_point(bowl({0.8F, 0.6F, 0.3F}, 12.0F), degree, 3);
+}
+
+TEST(GlossyBounces, MayComeAlongFewerDirectionsThanShadows) {
+  const Mesh mesh = bowl({0.8F, 0.6F, 0.3F}, 12.0F);
+  expect_fixed_point(mesh, 2, 3, 64);
+  Scene scene = scene_of(mesh, &kGlossyInterreflected, 256, 2);
+  const Transfer all = bake(scene);
+  for (const int directions : {256, 257}) {
+    scene.bake.bounces.directions = directions;
+    const Transfer same = bake(scene);
+    EXPECT_EQ(same.indirect, all.indirect);
+    EXPECT_EQ(same.bounces.directions, 0U);
+  }
+  double before = std::numeric_limits<double>::max();
+  for (const int directions : {16, 64, 255}) {
+    scene.bake.bounces.directions = directions;
+    const Transfer fewer = bake({scene, {.threads = 1}});
+    EXPECT_EQ(fewer.coefficients, all.coefficients) << "shadows keep all directions";
+    EXPECT_EQ(fewer.bounces.directions, std::uint32_t(directions));
+    EXPECT_EQ(bake({scene, {.threads = 2, .bounce_memory = 0}}).indirect, fewer.indirect);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < all.indirect.size(); ++i) squares += std::pow(fewer.indirect[i] - all.indirect[i], 2);
+    EXPECT_LT(squares, 0.5 * before) << directions;
+    before = squares;
+  }
+  EXPECT_GT(before, 0.0);
 }
 
 TEST(GlossyBounces, HaveOneChannelWhereAllIsGray) {

@@ -507,10 +507,10 @@ TEST(DecideDirections, TakesTheFewestForTheErrorOfAllTogether) {
   }
 }
 
-// In a room whose rays mostly hit something.
-TEST(DecideHits, TakeThePartThatCostsLeast) {
+// In a room whose rays mostly hit something; bounce_cost: of all bounces for a direction that hits.
+void expect_least_cost(const TransferKind* kind, double bounce_cost) {
   for (const int asked : {0, 100}) {
-    Scene scene = scene_to_plan(hollow_sphere(16, 0.9F), &kInterreflected);
+    Scene scene = scene_to_plan(hollow_sphere(16, 0.9F), kind);
     paint(scene.mesh, {0.75F, 0.5F, 0.95F});
     scene.bake.bounces.directions = asked;
     Draft draft(scene, kBestSet);
@@ -527,7 +527,7 @@ TEST(DecideHits, TakeThePartThatCostsLeast) {
         const int directions = draft.fewest_directions_within_limit();
         const int few = part > 1 ? draft.bounces_along(directions) : asked > 0 ? asked : directions;
         if (part > 1 && (few >= directions || draft.error_along(directions) > scene.plan.error)) continue;
-        const double cost = directions + 6.0 * draft.blocked() * std::min(few, directions);
+        const double cost = directions + bounce_cost * draft.blocked() * std::min(few, directions);
         if (cost < least) std::tie(best, least) = std::pair(part, cost);
       }
       EXPECT_TRUE(fits ? best > 1 || asked > 0 : best == 1);
@@ -545,6 +545,11 @@ TEST(DecideHits, TakeThePartThatCostsLeast) {
       EXPECT_EQ(draft.error_along(draft.bake.directions) <= scene.plan.error, fits);
     }
   }
+}
+
+TEST(DecideHits, TakeThePartThatCostsLeast) {
+  expect_least_cost(&kInterreflected, 6.0);
+  expect_least_cost(&kGlossyInterreflected, 100.0);
 }
 
 TEST(DecideHits, LeaveNothingOutWhereTheyAreFewOrNotMeasured) {
