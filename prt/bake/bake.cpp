@@ -68,6 +68,14 @@ void check(const BakeJob& job) {
         "{}: its surfaces shine, and {} does not bounce their light; expected no emission, or a kind of {} or {}",
         job.scene.name, options.kind->word, kGlossyShadowed.word, kInterreflected.word));
   }
+  const auto coefficients = static_cast<int>(coefficient_count(options.degree));
+  if (options.kind->indirect != nullptr && options.bounces.directions > 0 &&
+      options.bounces.directions < coefficients) {
+    throw std::invalid_argument(
+        fmt::format("{}: bounce_directions: {} directions cannot tell the {} coefficients of degree {} apart; expected "
+                    "at least {}",
+                    job.scene.name, options.bounces.directions, coefficients, options.degree, coefficients));
+  }
   if (options.kind->indirect != nullptr) require_glossy_bounce_memory(job.scene, memory_of_machine());
   if (options.compress.clusters > kMostClusters || options.compress.vectors > kMostVectors) {
     throw std::invalid_argument(fmt::format("compress: expected 1 to {} clusters of 0 to {} vectors, got {} of {}",

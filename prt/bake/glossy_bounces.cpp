@@ -120,8 +120,8 @@ class Bounces {
     if (report.applications >= kBouncesBeforeJudgment && report.applications + left > kMostBounces) {
       throw std::runtime_error(
           fmt::format("{}: its bounces shrink to only {:.4f} of the one before: surfaces that reflect nearly all light "
-                      "enclose it; expected lower reflectances or a larger opening",
-                      transfer_.scene, rate));
+                      "enclose it; expected lower reflectances{} a larger opening",
+                      transfer_.scene, rate, rays_.bounce_directions ? ", more bounce_directions or" : " or"));
     }
     return false;
   }

@@ -49,9 +49,8 @@ void DirectionOptions::apply_to(BakeOptions& bake) const {
 void SceneOptions::add_to(CLI::App& command) {
   DirectionOptions::add_to(command);
   command
-      .add_option(
-          "--bounce-directions", bounce_directions,
-          "directions along which surfaces see each other, fewer than for shadows; instead of the scene's")
+      .add_option("--bounce-directions", bounce_directions,
+                  "directions along which surfaces see each other, fewer than for shadows; instead of the scene's")
       ->check(CLI::Range(1, kMaxDirections));
   command.add_option("--kind", kind, "kind of transfer, instead of the scene's")
       ->check(words(kind_names(&TransferKind::word)));

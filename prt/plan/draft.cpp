@@ -104,7 +104,10 @@ BakeOptions Draft::along(int directions) const {
 
 int Draft::bounces_along(int directions) const {
   constexpr int kLeast = 16;
-  const int few = std::max(kLeast, directions / bounce_part);
+  constexpr int kOfCoefficient = 4;  // between lobes; fewer would see light that is not there
+  const auto coefficients = static_cast<int>(coefficient_count(bake.degree));
+  const int least = bake.kind->stores_matrices() ? kOfCoefficient * coefficients : kLeast;
+  const int few = std::max(least, directions / bounce_part);
   return asked.bounces.directions > 0 ? std::min(few, asked.bounces.directions) : few;
 }
 

@@ -116,6 +116,12 @@ TEST(GlossyBounces, MayComeAlongFewerDirectionsThanShadows) {
     before = squares;
   }
   EXPECT_GT(before, 0.0);
+  scene.bake.bounces.directions = 9;
+  EXPECT_NO_THROW(bake(scene));
+  scene.bake.bounces.directions = 8;
+  EXPECT_EQ(
+      message_of([&] { bake(scene); }),
+      "test: bounce_directions: 8 directions cannot tell the 9 coefficients of degree 2 apart; expected at least 9");
 }
 
 TEST(GlossyBounces, HaveOneChannelWhereAllIsGray) {

@@ -90,6 +90,22 @@ test('Pictures in .exr that are damaged, or that the page does not read, are ref
   });
 });
 
+test('Negative pixels are 0 and told, as prt warns of them', async () => {
+  writeExr('noise.exr', 10, rgbeNoise(10));
+  const bytes = fs.readFileSync(inFolder('noise.exr'));
+  bytes.writeFloatLE(-1, bytes.length - 4);
+  fs.writeFileSync(inFolder('negative.exr'), bytes);
+  await withPage('box.html', async (page) => {
+    await drop(page, 'negative.exr', bytes);
+    await page.waitForFunction(() => viewer.lighting.dropped);
+    await set(page, {});
+    assert.equal(await message(page), 'negative.exr: 1 of 50 pixels are negative in some channel (set to 0)');
+    assert.ok(relativeDifference(await page.evaluate(() => [...viewer.lighting.dropped.light.values]), coefficientsOf('negative.exr')) < 1e-6);
+    await set(page, { light: 'given' });
+    assert.equal(await message(page), '');
+  });
+});
+
 test('A file that is chosen, not dropped, is the light, too', async () => {
   await withPage('box.html', async (page) => {
     await page.setInputFiles('#control-file', inFolder('sky.hdr'));

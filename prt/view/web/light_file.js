@@ -21,16 +21,20 @@ async function projectedByServer(file, degree) {
   return lightOf(await answer.json());
 }
 
+function lightOfRead(page, picture) {
+  return Object.assign(lightOfPicture(page, picture), { flaw: picture.flaw });
+}
+
 async function anyLightOf(page, file, isServed) {
   if (/\.json$/i.test(file.name)) return lightOf(jsonOf(await file.text()));
-  if (/\.hdr$/i.test(file.name)) return lightOfPicture(page, readRadiance(new Uint8Array(await file.arrayBuffer())));
+  if (/\.hdr$/i.test(file.name)) return lightOfRead(page, readRadiance(new Uint8Array(await file.arrayBuffer())));
   if (!/\.(exr|png|jpe?g)$/i.test(file.name)) throw new FileError('expected a light: the JSON of `prt project`, or a lat-long picture');
   if (isServed) return projectedByServer(file, page.degree);
-  if (/\.exr$/i.test(file.name)) return lightOfPicture(page, await readExr(new Uint8Array(await file.arrayBuffer())));
+  if (/\.exr$/i.test(file.name)) return lightOfRead(page, await readExr(new Uint8Array(await file.arrayBuffer())));
   throw new FileError(`of pictures this page reads .hdr and .exr: drop the JSON of \`prt project ${file.name} --degree ${page.degree}\`, or open the page with \`prt view --serve\``);
 }
 
-/** File -> light, of a picture in the degree of the page. Throws FileError. */
+/** File -> light, of a picture in the degree of the page, and with its flaw. Throws FileError. */
 export async function lightOfFile(page, file, isServed) {
   const light = await anyLightOf(page, file, isServed);
   if (!light.values.every((value) => Number.isFinite(Math.fround(value)))) throw new FileError('the lights exceed single precision; expected weaker ones, below 1e37');

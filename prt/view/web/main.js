@@ -131,7 +131,8 @@ class Viewer {
   }
 
   relightShown() {
-    tell('');
+    const { dropped } = this.lighting;
+    tell(this.state.light === 'dropped' && dropped?.light.flaw ? `${dropped.name}: ${dropped.light.flaw}` : '');
     for (const subject of this.state.compare === 'none' ? [this.first] : [this.first, this.second]) {
       try {
         this.relight(subject);
