@@ -59,8 +59,7 @@ FinishedKernel choose(const std::vector<FinishedKernel>& kernels, Prefer prefer)
 }
 
 // Prints a kernel in every written language; its line of the manifest gets the paths and the stated errors.
-void add_files(std::map<std::string, std::string>& files, const FinishedKernel& finished,
-               ManifestEntry& entry) {
+void add_files(std::map<std::string, std::string>& files, const FinishedKernel& finished, ManifestEntry& entry) {
   for (const Language& language : languages()) {
     if (!language.written) continue;
     entry.files.push_back(language.name + "/" + finished.kernel.name + language.suffix);
