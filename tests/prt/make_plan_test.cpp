@@ -47,7 +47,7 @@ TEST(MakePlan, TakesTheDecisionsThatItsModeAndKindAllow) {
   EXPECT_EQ(taken(&kGlossyShadowed, PlanMode::kLossy),
             (Names{"analytic", "channels", "bands", "visibility", "storage", "directions"}));
   EXPECT_EQ(taken(&kGlossyInterreflected, PlanMode::kLossy),
-            (Names{"analytic", "bounces", "channels", "bands", "matrices", "visibility", "storage", "directions"}));
+            (Names{"analytic", "bounces", "channels", "bands", "matrices", "visibility", "storage", "hits", "directions"}));
 }
 
 TEST(MakePlan, ChangesTheBakeOfTheSceneToFollowItWithinTheBudget) {
