@@ -540,6 +540,12 @@ void expect_least_cost(const TransferKind* kind, double bounce_cost) {
                                     : asked > 0 ? "of 100 directions as requested"
                                                 : "of all directions");
       EXPECT_EQ(last(draft).basis, fewer ? "measured" : "exact");
+      const double with_fewer = draft.error_along(1024);
+      draft.bounce_part = 1;
+      draft.bake.bounces.directions = asked;
+      EXPECT_EQ(last(draft).error, fewer ? std::max(0.0, with_fewer - draft.error_along(1024)) : 0.0);
+      draft.bounce_part = best;
+      draft.bake.bounces.directions = fewer ? draft.bounces_along(1024) : asked;
       decide_directions(draft);
       EXPECT_EQ(draft.bake.bounces.directions, fewer ? draft.bounces_along(draft.bake.directions) : asked);
       EXPECT_EQ(draft.error_along(draft.bake.directions) <= scene.plan.error, fits);
