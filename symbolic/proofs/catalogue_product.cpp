@@ -4,15 +4,14 @@ namespace sh::symbolic {
 namespace {
 
 const char* const kFifthPower = "the tensor grows with the fifth power";
-const char* const kSlowProducts = "products of polynomials of higher degree are slow to integrate";
 const char* const kExpansion = "each product is multiplied out and expanded on up to 2 degree + 1 bands";
 
-// b = Y_k for every k; the matrix is linear in b.
+// b = Y_k for every k up to the degree that Y_i Y_j has; the matrix is linear in b.
 int prove_transfer_matrices(const Formulas& f, int degree) {
-  const ProductShape shape{degree, degree, degree};
+  const ProductShape shape{degree, 2 * degree, degree};
   int entries = 0;
-  for (int k = 0; k < coefficient_count(degree); ++k) {
-    std::vector<Surd> known(coefficient_count(degree));
+  for (int k = 0; k < coefficient_count(shape.b); ++k) {
+    std::vector<Surd> known(coefficient_count(shape.b));
     known[k] = Surd(1);
     entries += prove_transfer_matrix(f.transfer_matrix(known, shape), known, shape);
   }
@@ -51,7 +50,7 @@ std::vector<Proof> product_catalogue(const SharedFormulas& f) {
          return prove_zonal_product_identity(f->zonal_product({degree, degree, 2 * degree}), degree);
        }},
       {"transfer-matrix", "M_ij = integral b Y_i Y_j for b = every Y_k",
-       "sum of Gaunt entries against integration of monomials", 2, 4, kSlowProducts, "entries",
+       "sum of Gaunt entries against integration of monomials", 4, kMaxProductDegree / 2, kExpansion, "entries",
        [f](int degree) { return prove_transfer_matrices(*f, degree); }},
   };
 }

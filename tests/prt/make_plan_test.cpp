@@ -46,8 +46,9 @@ TEST(MakePlan, TakesTheDecisionsThatItsModeAndKindAllow) {
   EXPECT_EQ(taken(&kGlossyUnshadowed, PlanMode::kLossy), (Names{"analytic", "channels"})) << "it stores nothing";
   EXPECT_EQ(taken(&kGlossyShadowed, PlanMode::kLossy),
             (Names{"analytic", "channels", "bands", "visibility", "storage", "directions"}));
-  EXPECT_EQ(taken(&kGlossyInterreflected, PlanMode::kLossy),
-            (Names{"analytic", "bounces", "channels", "bands", "matrices", "visibility", "storage", "hits", "directions"}));
+  EXPECT_EQ(
+      taken(&kGlossyInterreflected, PlanMode::kLossy),
+      (Names{"analytic", "bounces", "channels", "bands", "matrices", "visibility", "storage", "hits", "directions"}));
 }
 
 TEST(MakePlan, ChangesTheBakeOfTheSceneToFollowItWithinTheBudget) {

@@ -1,6 +1,8 @@
 // Plans of glossy transfer: from where they look, what their probes keep, and which decisions they take.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -427,6 +429,14 @@ TEST(GlossyPlan, KeepsTheFewestNumbersOfMatricesThatTheBudgetAllows) {
     all.push_back({kept, coefficient_count(i / 3) * coefficient_count(i % 3), error_with_zeros(draft, kept)});
   }
   expect_fewest(draft, decide_matrices, all, 0.3);
+  draft.bake.keep = KeptBands();
+  draft.left = 0.0;
+  decide_matrices(draft);
+  const Candidate least =
+      *std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.error < b.error; });
+  EXPECT_GT(least.error, 0.0);
+  EXPECT_EQ(last(draft).choice, "9 x 9 as the degree needs");
+  EXPECT_EQ(last(draft).why, fmt::format("with fewer the error would be {:.2g} or more", least.error));
 }
 
 TEST(GlossyPlan, HasNothingToLeaveOutOfOneBandOrOfNoMatrices) {
