@@ -215,9 +215,10 @@ bool is_sign(const ExactReal& factor) {
 
 // Compilers of shaders put chains of five or more values that are used elsewhere, too, in another order, even of results
 // that are declared invariant. They keep balanced trees, so that these have the same bits in every language.
-Value sum_in_order(SignedBuilder& build, const std::vector<Value>& terms, bool are_values) {
-  constexpr std::size_t kLongestChain = 4;
-  return are_values && terms.size() > kLongestChain ? build.balanced_sum(terms) : build.sum(terms);
+bool is_long_chain(const std::vector<LinearTerm>& sum) {
+  constexpr std::size_t kLongestKept = 4;
+  return sum.size() > kLongestKept &&
+         std::all_of(sum.begin(), sum.end(), [](const LinearTerm& term) { return is_sign(term.factor); });
 }
 
 }  // namespace
@@ -255,12 +256,10 @@ std::vector<Value> run_forwards(SignedBuilder& build, const LinearCircuit& circu
   for (const auto& sum : circuit.sums) {
     std::vector<Value> terms;
     terms.reserve(sum.size());
-    bool are_values = true;
     for (const LinearTerm& term : sum) {
       terms.push_back(build.times_once(term.factor, values[term.source]));
-      are_values = are_values && is_sign(term.factor);
     }
-    values.push_back(sum_in_order(build, terms, are_values));
+    values.push_back(is_long_chain(sum) ? build.balanced_sum(terms) : build.sum(terms));
   }
   std::vector<Value> rows;
   for (const int output : circuit.outputs) {

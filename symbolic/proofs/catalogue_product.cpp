@@ -4,6 +4,7 @@ namespace sh::symbolic {
 namespace {
 
 const char* const kFifthPower = "the tensor grows with the fifth power";
+const char* const kTwice = "b has twice the degree, and forms of products are derived to that degree only";
 const char* const kExpansion = "each product is multiplied out and expanded on up to 2 degree + 1 bands";
 
 // b = Y_k for every k up to the degree that Y_i Y_j has; the matrix is linear in b.
@@ -50,7 +51,7 @@ std::vector<Proof> product_catalogue(const SharedFormulas& f) {
          return prove_zonal_product_identity(f->zonal_product({degree, degree, 2 * degree}), degree);
        }},
       {"transfer-matrix", "M_ij = integral b Y_i Y_j for b = every Y_k",
-       "sum of Gaunt entries against integration of monomials", 4, kMaxProductDegree / 2, kExpansion, "entries",
+       "sum of Gaunt entries against integration of monomials", 4, kMaxProductDegree / 2, kTwice, "entries",
        [f](int degree) { return prove_transfer_matrices(*f, degree); }},
   };
 }

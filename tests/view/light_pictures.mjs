@@ -1,4 +1,4 @@
-// Pictures of light that the tests write: Radiance .hdr, encoded or plain, and OpenEXR without compression.
+// Pictures of light that the tests write: Radiance .hdr, encoded or plain, and OpenEXR, plain or by the OpenEXR library.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import { inFolder, kBin } from './browser.mjs';

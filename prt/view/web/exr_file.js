@@ -307,9 +307,9 @@ export async function readExr(bytes) {
     begins.push(row);
     row += width * kBytesOfType[type];
   }
-  const pixels = new Float32Array(3 * width * height);
   const chunks = Math.ceil(height / most);
   const table = reader.take(8 * chunks);
+  const pixels = new Float32Array(3 * width * height);
   for (let chunk = 0; chunk < chunks; ++chunk) {
     reader.at = Number(reader.view.getBigUint64(table + 8 * chunk, true));
     const y = reader.int() - top;
