@@ -118,25 +118,57 @@ class MultipleAngles {
   __m512 sine_[2];
 };
 
-// Bands 0 to 3 of a rotated function by seven columns of their matrices; out may be c.
-inline void apply_first_bands(const float* columns, const float* c, float* out) {
-  const __m512 v = _mm512_loadu_ps(c);
+// Bands 0 to Last <= 3 of a rotated function by the columns of their matrices; out may be c.
+template <int Last>
+[[gnu::always_inline]] inline void apply_first_bands(const float* columns, const float* c, float* out) {
+  constexpr int kSize = (Last + 1) * (Last + 1);
+  constexpr __mmask16 mask = kSize == 16 ? 0xffff : (1U << kSize) - 1;
+  const __m512 v = _mm512_maskz_loadu_ps(mask, c);
   __m512 sum = _mm512_loadu_ps(columns) * permute(detail::kColumnOfBands[0], v);
-  repeat<6>(
+  repeat<2 * Last>(
       [&](auto j) { sum += _mm512_loadu_ps(columns + (j + 1) * 16) * permute(detail::kColumnOfBands[j + 1], v); });
-  _mm512_storeu_ps(out, sum);
+  _mm512_mask_storeu_ps(out, mask, sum);
 }
 
-// Band L > 3 by its columns.
-template <int L>
-inline void apply_band(const float* columns, const float* c, float* out) {
-  constexpr __mmask16 mask = (1U << (2 * L + 1)) - 1;
+// Band L > 3 by its columns of Step lanes, 16 or 24. Columns take turns among `kSums` sums, so that no column waits for
+// the one before it.
+template <int L, int Step>
+[[gnu::always_inline]] inline void apply_band(const float* columns, const float* c, float* out) {
+  constexpr int kSize = 2 * L + 1;
+  constexpr int kSums = L < 6 ? 2 : 4;
+  constexpr int kAbove = kSize - 16;  // rows beyond the first 16 lanes
   const float* band = c + L * L;
-  __m512 sum = _mm512_loadu_ps(columns) * _mm512_set1_ps(band[0]);
-  __m512 odd = _mm512_loadu_ps(columns + 16) * _mm512_set1_ps(band[1]);
-  repeat<L>([&](auto j) { sum += _mm512_loadu_ps(columns + (2 * j + 2) * 16) * _mm512_set1_ps(band[2 * j + 2]); });
-  repeat<L - 1>([&](auto j) { odd += _mm512_loadu_ps(columns + (2 * j + 3) * 16) * _mm512_set1_ps(band[2 * j + 3]); });
-  _mm512_mask_storeu_ps(out + L * L, mask, sum + odd);
+  __m512 first[kSums];
+  __m256 above[kSums];
+  repeat<kSize>([&](auto j) {
+    const float* column = columns + j * Step;
+    const __m512 factor = _mm512_set1_ps(band[j]);
+    const __m512 term = _mm512_loadu_ps(column);
+    if constexpr (j < kSums) {
+      first[j] = term * factor;
+    } else {
+      first[j % kSums] += term * factor;
+    }
+    if constexpr (kAbove > 0) {
+      const __m256 rest = _mm256_loadu_ps(column + 16) * _mm512_castps512_ps256(factor);
+      if constexpr (j < kSums) {
+        above[j] = rest;
+      } else {
+        above[j % kSums] += rest;
+      }
+    }
+  });
+  if constexpr (kSums == 4) {
+    first[0] += first[2];
+    first[1] += first[3];
+  }
+  constexpr __mmask16 kMask = kAbove >= 0 ? 0xffff : (1U << kSize) - 1;
+  _mm512_mask_storeu_ps(out + L * L, kMask, first[0] + first[1]);
+  if constexpr (kAbove > 0) {
+    constexpr __mmask8 kRest = (1U << kAbove) - 1;
+    const __m256 rest = above[0] + above[1] + (above[2] + above[3]);
+    _mm256_mask_storeu_ps(out + L * L + 16, kRest, rest);
+  }
 }
 
 }  // namespace sh::batch::SH_BATCH_ISA

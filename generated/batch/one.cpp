@@ -58,10 +58,13 @@ void rotate_one(int degree, const float* r, const float* c, float* out) {
 
 std::size_t rotate_prepared_size(int degree) {
   detail::check_degree("rotate_prepared_size", degree, kLargestOne);
-  // In columns of 16 from degree 3 to 6: 7 of bands 0 to 3, 2l+1 of each further band; otherwise the matrices.
+  // To degree 1 the matrices. Then columns: of bands 0 to 3 as many as the last of them has, 2l+1 of each further band; of
+  // 16 lanes to band 7, of 24 above.
   const auto bands = static_cast<std::size_t>(degree) + 1;
-  if (degree >= 3 && degree <= 6) return 16 * (bands * bands - 9);
-  return bands * (2 * bands - 1) * (2 * bands + 1) / 3;
+  if (degree < 2) return bands * (2 * bands - 1) * (2 * bands + 1) / 3;
+  if (degree == 2) return 80;
+  const std::size_t narrow = bands < 8 ? bands : 8;
+  return 16 * (narrow * narrow - 9) + 24 * (bands * bands - narrow * narrow);
 }
 
 void rotate_prepare(int degree, const float* r, float* prepared) {

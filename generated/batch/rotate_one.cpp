@@ -4,7 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // With AVX-512 SIMD inside, degree 3 to 6; otherwise the kernels of generated/cpp/rotate.hpp. A prepared matrix is the
-// same on every instruction set.
+// same on every instruction set: matrices to degree 1, columns of lanes above.
 #include "../cpp/rotate.hpp"
 #include "../cpp/rotate_apply.hpp"
 #include "../cpp/rotate_build.hpp"
@@ -21,6 +21,14 @@ namespace {
 
 constexpr int kLanes = 16;
 
+// Lanes of a column of band l > 3: multiples of 8.
+constexpr int lanes_of_band(int l) { return 2 * l + 1 <= kLanes ? kLanes : 24; }
+// Where the columns of band l > 3 start: behind those that bands 0 to 3 share, seven, and those of the bands between.
+// (Of l <= 4: how long the shared columns of the bands below l are.)
+constexpr int first_of_band(int l) {
+  return l <= 4 ? (2 * l - 1) * kLanes : first_of_band(l - 1) + (2 * l - 1) * lanes_of_band(l - 1);
+}
+
 template <int Degree>
 void scalar(const float* r, const float* c, float* out) {
   sh::rotate<Degree>(r, c, out);
@@ -34,26 +42,22 @@ void apply(const float* prepared, const float* c, float* out) {
   sh::rotate_apply<Degree>(prepared, c, out);
 }
 
-// Column j of bands 0 to 3 in 16 lanes, j = 0 to 6, then of each further band: what is beyond a band is 0.
+// Column j of bands 0 to 3 in 16 lanes, j = 0 to 6 or less, then of each further band: what is beyond a band is 0.
 template <int Degree>
 void build_columns(const float* r, float* prepared) {
   constexpr int kBands = Degree + 1;
   float m[kBands * (2 * kBands - 1) * (2 * kBands + 1) / 3];
   sh::rotate_build<Degree>(r, static_cast<float*>(m));
+  std::memset(prepared, 0, first_of_band(kBands) * sizeof(float));
   const auto* from = static_cast<const float*>(m);
-  float* column = prepared;
   for (int l = 0; l <= Degree; ++l) {
     const int size = 2 * l + 1;
-    const int lane = l <= 3 ? l * l : 0;
-    const int columns = l <= 3 ? 7 : size;
-    if (l == 0 || l > 3) {
-      for (int i = 0; i < columns * kLanes; ++i) column[i] = 0;
-    }
+    const int step = l <= 3 ? kLanes : lanes_of_band(l);
+    float* const to = l <= 3 ? prepared + l * l : prepared + first_of_band(l);
     for (int i = 0; i < size; ++i) {
-      for (int j = 0; j < size; ++j) column[j * kLanes + lane + i] = from[i * size + j];
+      for (int j = 0; j < size; ++j) to[j * step + i] = from[i * size + j];
     }
     from += size * size;
-    if (l >= 3) column += columns * kLanes;
   }
 }
 
@@ -68,10 +72,11 @@ template <int Degree>
 }
 template <int Degree>
 [[gnu::flatten]] void apply_columns(const float* prepared, const float* c, float* out) {
-  apply_first_bands(prepared, c, out);
-  if constexpr (Degree >= 4) apply_band<4>(prepared + 7 * kLanes, c, out);
-  if constexpr (Degree >= 5) apply_band<5>(prepared + 16 * kLanes, c, out);
-  if constexpr (Degree >= 6) apply_band<6>(prepared + 27 * kLanes, c, out);
+  apply_first_bands<(Degree < 3 ? Degree : 3)>(prepared, c, out);
+  repeat<(Degree > 3 ? Degree - 3 : 0)>([&](auto above) {
+    constexpr int kL = 4 + above;
+    apply_band<kL, lanes_of_band(kL)>(prepared + first_of_band(kL), c, out);
+  });
 }
 #else
 template <int Degree>
@@ -83,15 +88,15 @@ constexpr int kWidth = 8;
 constexpr int kWidth = 4;
 #endif
 
-// Band L by its columns, whose first lane is Lane; out may be c.
-template <int L, int Lane>
+// Band L by its columns of Step lanes, of which the first is Lane; out may be c.
+template <int L, int Lane, int Step>
 [[gnu::always_inline]] inline void apply_band(const float* columns, const float* c, float* out) {
   constexpr int size = 2 * L + 1;
   constexpr int vectors = (size + kWidth - 1) / kWidth;
-  constexpr int before = Lane + vectors * kWidth > kLanes ? Lane + vectors * kWidth - kLanes : 0;
+  constexpr int before = Lane + vectors * kWidth > Step ? Lane + vectors * kWidth - Step : 0;
   Vector<kWidth> sum[vectors] = {};
   repeat<size>([&](auto j) {
-    const float* column = columns + j * kLanes + Lane - before;
+    const float* column = columns + j * Step + Lane - before;
     repeat<vectors>([&](auto v) { sum[v] += load_vector<kWidth>(column + v * kWidth) * c[L * L + j]; });
   });
   std::memcpy(out + L * L, reinterpret_cast<const char*>(sum) + before * sizeof(float), size * sizeof(float));
@@ -100,12 +105,13 @@ template <int L, int Lane>
 template <int Degree>
 [[gnu::flatten]] void apply_columns(const float* prepared, const float* c, float* out) {
   out[0] = prepared[0] * c[0];
-  apply_band<1, 1>(prepared, c, out);
-  apply_band<2, 4>(prepared, c, out);
-  apply_band<3, 9>(prepared, c, out);
-  if constexpr (Degree >= 4) apply_band<4, 0>(prepared + 7 * kLanes, c, out);
-  if constexpr (Degree >= 5) apply_band<5, 0>(prepared + 16 * kLanes, c, out);
-  if constexpr (Degree >= 6) apply_band<6, 0>(prepared + 27 * kLanes, c, out);
+  apply_band<1, 1, kLanes>(prepared, c, out);
+  apply_band<2, 4, kLanes>(prepared, c, out);
+  if constexpr (Degree > 2) apply_band<3, 9, kLanes>(prepared, c, out);
+  repeat<(Degree > 3 ? Degree - 3 : 0)>([&](auto above) {
+    constexpr int kL = 4 + above;
+    apply_band<kL, 0, lanes_of_band(kL)>(prepared + first_of_band(kL), c, out);
+  });
 }
 #endif
 
@@ -116,11 +122,11 @@ const detail::RotateOne kRotateOne[] = {scalar<0>, scalar<1>, scalar<2>, lanes<3
                                         lanes<6>,  scalar<7>, scalar<8>, scalar<9>, scalar<10>};
 extern const detail::RotatePrepare kRotatePrepareOne[];
 const detail::RotatePrepare kRotatePrepareOne[] = {
-    build<0>,         build<1>, build<2>, build_columns<3>, build_columns<4>, build_columns<5>,
-    build_columns<6>, build<7>, build<8>, build<9>,         build<10>};
+    build<0>,         build<1>,         build_columns<2>, build_columns<3>, build_columns<4>, build_columns<5>,
+    build_columns<6>, build_columns<7>, build_columns<8>, build_columns<9>, build_columns<10>};
 extern const detail::RotateOne kRotatePreparedOne[];
-const detail::RotateOne kRotatePreparedOne[] = {apply<0>,         apply<1>,         apply<2>,         apply_columns<3>,
-                                                apply_columns<4>, apply_columns<5>, apply_columns<6>, apply<7>,
-                                                apply<8>,         apply<9>,         apply<10>};
+const detail::RotateOne kRotatePreparedOne[] = {apply<0>,         apply<1>,         apply_columns<2>, apply_columns<3>,
+                                                apply_columns<4>, apply_columns<5>, apply_columns<6>, apply_columns<7>,
+                                                apply_columns<8>, apply_columns<9>, apply_columns<10>};
 
 }  // namespace sh::batch::SH_BATCH_ISA

@@ -15,10 +15,9 @@
 namespace sh::numeric {
 namespace {
 
-using Wide = long double;           // of the powers, so that they round once
-constexpr int kPowers = 64;         // sine^m = sine^(m % 64) sine^(64 (m / 64))
-constexpr double kNothing = -1080;  // to base 2: below every double
-constexpr std::size_t kWidest = 8;  // lanes
+using Wide = long double;       // of the powers, so that they round once
+constexpr int kPowers = 64;     // sine^m = sine^(m % 64) sine^(64 (m / 64))
+constexpr int kMostKept = 200;  // max_degree of which the tables of all orders are kept
 
 const rings::Kernels& kernels(RingLanes lanes) {
 #if defined(SH_RINGS_X86)
@@ -50,8 +49,9 @@ RingLanes widest_ring_lanes() noexcept {
   return RingLanes::kBaseline;
 }
 
-LegendreRings::LegendreRings(int max_degree, std::span<const double> z, std::span<const double> sine, RingLanes lanes)
-    : max_degree_(max_degree), lanes_(lanes), ring_(z.size()) {
+LegendreRings::LegendreRings(int max_degree, std::span<const double> z, std::span<const double> sine, RingLanes lanes,
+                             RingTail tail)
+    : max_degree_(max_degree), lanes_(lanes), tail_(tail), place_(z.size()) {
   require_range("LegendreRings: max_degree", max_degree, 0, kMaxDegree);
   require_size("LegendreRings: sine", std::ssize(sine), std::ssize(z));
   if (!available(lanes)) throw std::invalid_argument("LegendreRings: expected lanes that this machine has");
@@ -65,9 +65,18 @@ LegendreRings::LegendreRings(int max_degree, std::span<const double> z, std::spa
   }
   add_pairs(z, sine);
   add_powers();
+  for (int m = 0; max_degree <= kMostKept && m <= max_degree; ++m) {
+    const std::size_t steps = static_cast<std::size_t>(max_degree - m) / 2 + 1;
+    kept_tables_.push_back(std::make_unique<double[]>(rings::kArrays * rings::size_of_tables(steps)));
+    fill(m, rings::tables_in(kept_tables_.back().get(), steps));
+  }
 }
 
-// Pairs by rising sine, so that the lanes of a block are of similar size; rings with the same |z| and sine are one.
+void LegendreRings::fill(int order, const rings::Tables& tables) const {
+  kernels(lanes_).prepare(order, tables, plain_ > 0, equator_ < z_.size());
+}
+
+// Pairs by rising sine, so that the lanes of a register are of similar size; rings with the same |z| and sine are one.
 void LegendreRings::add_pairs(std::span<const double> z, std::span<const double> sine) {
   const auto key = [&](std::size_t i) { return std::pair(sine[i], std::abs(z[i])); };
   std::vector<std::size_t> by_sine(z.size());
@@ -82,14 +91,17 @@ void LegendreRings::add_pairs(std::span<const double> z, std::span<const double>
   for (const std::size_t i : by_sine) {
     const auto [s, absolute] = key(i);
     if (z_.empty() || z_.back() != absolute || sine_.back() != s) {
-      const std::size_t block = z_.size() / rings::kPadding * rings::kPadding;
-      if (absolute < rings::kNearEquator && block < z_.size() && sine_[block] < rings::kNearPole) pad();
+      const std::size_t group = z_.size() / rings::kPadding * rings::kPadding;
+      if (absolute < rings::kNearEquator && group < z_.size() && sine_[group] < rings::kNearPole) pad();
       z_.push_back(absolute);
       sine_.push_back(s);
     }
-    ring_[i] = {z_.size() - 1, std::signbit(z[i])};
+    place_[i] = 4 * (z_.size() - 1) + (std::signbit(z[i]) ? 2 : 0);
   }
   pad();
+  while (plain_ < z_.size() && sine_[plain_] < rings::kNearPole) plain_ += rings::kPadding;
+  equator_ = z_.size();
+  while (equator_ > plain_ && z_[equator_ - 1] < rings::kNearEquator) equator_ -= rings::kPadding;
 }
 
 void LegendreRings::add_powers() {
@@ -113,6 +125,8 @@ void LegendreRings::add_powers() {
     store(low, kPowers, p, low_mantissa_, low_exponent_);
     store(scaled_powers(low.back(), high), high, p, high_mantissa_, high_exponent_);
   }
+  log_factorial_.push_back(0);
+  for (int n = 1; n <= 2 * max_degree_; ++n) log_factorial_.push_back(log_factorial_.back() + std::log2(n));
   Wide square = 1 / (4 * pi<Wide>());
   for (int m = 0; m <= max_degree_; ++m) {
     if (m > 0) square = square * static_cast<Wide>(2 * m + 1) / static_cast<Wide>(2 * m);
@@ -124,23 +138,21 @@ void LegendreRings::add_powers() {
 // sine leaves nothing of that need no work. [Szego75] theorem 7.33.1
 std::size_t LegendreRings::first_pair(int degree, int order) const {
   if (order == 0) return 0;
-  const double l = degree;
-  const double m = order;
-  const double largest =
-      (0.5 * (std::lgamma(l + m + 1) - std::lgamma(l - m + 1)) - std::lgamma(m + 1)) / std::numbers::ln2 - m +
-      0.5 * std::log2(2 * l + 1);
+  const double nothing = tail_ == RingTail::kAll ? -1080 : -rings::kLevel / 2;  // to base 2
+  const double largest = 0.5 * (log_factorial_[degree + order] - log_factorial_[degree - order]) -
+                         log_factorial_[order] - order + 0.5 * std::log2(2.0 * degree + 1);
   std::size_t first = 0;
-  while (first < z_.size() && largest + m * log_sine_[first + rings::kPadding - 1] < kNothing) first += rings::kPadding;
+  while (first < z_.size() && largest + order * log_sine_[first + rings::kPadding - 1] < nothing) {
+    first += rings::kPadding;
+  }
   return first;
 }
 
 // Memory of a call, kept from one call of a thread to the next.
 struct LegendreRings::Work {
-  std::vector<double> eps, alpha;
-  std::vector<rings::Step> table;
-  std::vector<rings::Growth> pole, equator;
-  std::vector<double> sums;   // (4, pairs)
-  std::vector<double> lanes;  // (steps + 1, 4, kWidest)
+  std::vector<double> tables;
+  std::vector<rings::Terms> terms;
+  std::vector<double> values;  // (pairs, 4): of both components at z, then at -z
 
   static Work& of_this_thread() {
     thread_local Work work;
@@ -148,15 +160,30 @@ struct LegendreRings::Work {
   }
 
   rings::Column column(const LegendreRings& rings, int degree, int order) {
-    const std::size_t steps = (degree - order) / 2 + 1;
-    eps.resize(2 * steps + 8);
-    alpha.resize(steps);
-    table.resize(steps);
-    pole.resize(steps);
-    equator.resize(steps);
-    sums.resize(4 * rings.z_.size());
-    const double start = rings.sectoral_[order];
-    return {degree, order, steps, start, eps.data(), alpha.data(), table.data(), pole.data(), equator.data()};
+    const std::size_t steps = static_cast<std::size_t>(degree - order) / 2 + 1;
+    values.assign(4 * rings.z_.size(), 0.0);
+    terms.resize(rings::size_of_tables(steps));
+    return {degree,
+            order,
+            steps,
+            rings.sectoral_[order],
+            rings.tail_ == RingTail::kAll ? rings::Tail{-1, std::ldexp(1.0, -rings::kLevel)} : rings::Tail{0, 0},
+            filled(rings, order, steps),
+            terms.data()};
+  }
+
+ private:
+  rings::Tables filled(const LegendreRings& rings, int order, std::size_t steps) {
+    if (!rings.kept_tables_.empty()) {
+      const std::size_t kept_steps = static_cast<std::size_t>(rings.max_degree_ - order) / 2 + 1;
+      rings::Tables all = rings::tables_in(rings.kept_tables_[order].get(), kept_steps);
+      all.size = rings::size_of_tables(steps);
+      return all;
+    }
+    tables.resize(rings::kArrays * rings::size_of_tables(steps));
+    const rings::Tables all = rings::tables_in(tables.data(), steps);
+    rings.fill(order, all);
+    return all;
   }
 };
 
@@ -165,6 +192,8 @@ rings::Pairs LegendreRings::pairs(int degree, int order) const {
   const std::size_t low = order % kPowers * count;
   const std::size_t high = order / kPowers * count;
   return {first_pair(degree, order),
+          plain_,
+          equator_,
           count,
           z_.data(),
           sine_.data(),
@@ -173,11 +202,14 @@ rings::Pairs LegendreRings::pairs(int degree, int order) const {
 }
 
 void LegendreRings::check(const char* what, int degree, int order, std::size_t coefficients, std::size_t values) const {
+  const bool good = 0 <= order && order <= degree && degree <= max_degree_ &&
+                    coefficients == 2 * (static_cast<std::size_t>(degree - order) + 1) && values == 2 * place_.size();
+  if (good) return;
   const std::string where = std::string("LegendreRings: ") + what;
   require_range(where + ": degree", degree, 0, max_degree_);
   require_range(where + ": order", order, 0, degree);
   require_size(where + ": coefficients", static_cast<long>(coefficients), 2L * (degree - order + 1));
-  require_size(where + ": values", static_cast<long>(values), 2 * std::ssize(ring_));
+  require_size(where + ": values", static_cast<long>(values), 2 * std::ssize(place_));
 }
 
 void LegendreRings::synthesis(int degree, int order, std::span<const double> coefficients,
@@ -185,19 +217,11 @@ void LegendreRings::synthesis(int degree, int order, std::span<const double> coe
   check("synthesis", degree, order, coefficients.size(), values.size());
   Work& work = Work::of_this_thread();
   const rings::Column column = work.column(*this, degree, order);
-  const rings::Pairs rings = pairs(degree, order);
-  std::fill(work.sums.begin(), work.sums.end(), 0);  // of pairs that need no work
   const rings::Kernels& run = kernels(lanes_);
-  run.prepare(column);
   run.spread(column, coefficients.data());
-  run.synthesis(column, rings, work.sums.data());
-  const double* const even = work.sums.data();
-  const double* const odd = even + 2 * z_.size();
-  for (std::size_t i = 0; i < ring_.size(); ++i) {
-    const auto [pair, south] = ring_[i];
-    const double sign = south ? -1 : 1;
-    values[2 * i] = even[pair] + sign * odd[pair];
-    values[2 * i + 1] = even[z_.size() + pair] + sign * odd[z_.size() + pair];
+  run.synthesis(column, pairs(degree, order), work.values.data());
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    std::copy_n(work.values.data() + place_[i], 2, values.data() + 2 * i);
   }
 }
 
@@ -206,21 +230,13 @@ void LegendreRings::analysis(int degree, int order, std::span<const double> valu
   check("analysis", degree, order, coefficients.size(), values.size());
   Work& work = Work::of_this_thread();
   const rings::Column column = work.column(*this, degree, order);
-  std::fill(work.sums.begin(), work.sums.end(), 0);
-  double* const even = work.sums.data();
-  double* const odd = even + 2 * z_.size();
-  for (std::size_t i = 0; i < ring_.size(); ++i) {
-    const auto [pair, south] = ring_[i];
-    const double sign = south ? -1 : 1;
-    for (std::size_t c = 0; c < 2; ++c) {
-      even[c * z_.size() + pair] += values[2 * i + c];
-      odd[c * z_.size() + pair] += sign * values[2 * i + c];
-    }
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    double* const to = work.values.data() + place_[i];
+    to[0] += values[2 * i];
+    to[1] += values[2 * i + 1];
   }
-  work.lanes.resize(4 * kWidest * (column.steps + 1));
   const rings::Kernels& run = kernels(lanes_);
-  run.prepare(column);
-  run.analysis(column, pairs(degree, order), work.sums.data(), work.lanes.data());
+  run.analysis(column, pairs(degree, order), work.values.data());
   run.gather(column, coefficients.data());
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,8 +10,9 @@
 #include <utility>
 
 #include "generated/cpp/evaluate.hpp"
-#include "numeric/oracle/legendre_rings.hpp"
+#include "numeric/oracle/index.hpp"
 #include "numeric/oracle/quadrature.hpp"
+#include "numeric/oracle/sphere_transform.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 #include "prt/material/lobe.hpp"
@@ -22,7 +22,6 @@ namespace sh::prt {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kOrders = SharpLayer::kHighest + 1;
 
 // Analysis: fine enough that a sun does not fall between the nodes.
 constexpr int kFineRings = 512;
@@ -31,84 +30,56 @@ constexpr int kFineAround = 1024;
 constexpr int kRings = 256;
 constexpr int kAround = 512;
 
-// Rings of equidistant azimuths 2 pi (j + 1/2) / around.
-struct Grid {
-  std::vector<double> z, sine;  // of the rings
-  Eigen::MatrixXd waves;        // (around, 2 orders): cosine and sine of m times the azimuth
-  numeric::LegendreRings legendre;
+using numeric::SphereTransform;
+using Values = std::vector<double>;  // (rings, around), or (bands^2) coefficients
 
-  Grid(const std::vector<double>& heights, int around)
-      : z(heights), sine(sines(heights)), waves(around, 2 * kOrders), legendre(SharpLayer::kHighest, z, sine) {
-    for (int j = 0; j < around; ++j) {
-      for (int m = 0; m < kOrders; ++m) {
-        const double angle = 2.0 * kPi * m * (j + 0.5) / around;
-        waves(j, 2 * m) = std::cos(angle);
-        waves(j, 2 * m + 1) = std::sin(angle);
-      }
-    }
-  }
-  static std::vector<double> sines(const std::vector<double>& heights) {
-    std::vector<double> all;
-    for (const double height : heights) all.push_back(std::sqrt((1.0 - height) * (1.0 + height)));
-    return all;
-  }
+const numeric::ForEach kInParallel = [](int count, const std::function<void(int)>& task) {
+  in_parallel(0, count, task);
 };
 
-Grid grid_of_map() {
-  std::vector<double> heights;
-  for (int i = 0; i < kRings; ++i) heights.push_back(std::cos(kPi * (i + 0.5) / kRings));
-  return {heights, kAround};
+std::vector<double> sines(const std::vector<double>& heights) {
+  std::vector<double> all;
+  for (const double height : heights) all.push_back(std::sqrt((1.0 - height) * (1.0 + height)));
+  return all;
 }
 
-// One channel of a function: (rings, around) values, or for every order (kHighest - m + 1, 2) coefficients.
-using Values = Eigen::MatrixXd;
-using Coefficients = std::vector<std::vector<double>>;
+// Azimuths 2 pi (j + 1/2) / around.
+SphereTransform transform_of(const std::vector<double>& heights, int around) {
+  return {SharpLayer::kHighest, heights, sines(heights), around, kPi / around};
+}
 
-Coefficients analyzed(const Grid& grid, const std::vector<double>& weights, const Values& values) {
-  const Eigen::VectorXd weight =
-      2.0 * kPi / static_cast<double>(values.cols()) * Eigen::VectorXd::Map(weights.data(), values.rows());
-  const Eigen::MatrixXd waves = weight.asDiagonal() * (values * grid.waves);
-  Coefficients coefficients(kOrders);
-  in_parallel(0, kOrders, [&](int m) {
-    const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> of_order =
-        (m == 0 ? 1.0 : 2.0) * waves.middleCols<2>(2 * m);
-    coefficients[m].resize(static_cast<std::size_t>(2 * (kOrders - m)));
-    grid.legendre.analysis(SharpLayer::kHighest, m, {of_order.data(), static_cast<std::size_t>(of_order.size())},
-                           coefficients[m]);
-  });
-  return coefficients;
+SphereTransform transform_of_map() {
+  std::vector<double> heights;
+  for (int i = 0; i < kRings; ++i) heights.push_back(std::cos(kPi * (i + 0.5) / kRings));
+  return transform_of(heights, kAround);
 }
 
 // The bands above `degree`, times the factors of the lobe.
-Values synthesized(const Grid& grid, const Coefficients& coefficients, int degree, float exponent) {
-  Eigen::MatrixXd waves(grid.z.size(), 2 * kOrders);
-  in_parallel(0, kOrders, [&](int m) {
-    std::vector<double> scaled = coefficients[m];
-    for (int l = m; l < kOrders; ++l) {
-      const double factor = l > degree ? phong_factor(l, static_cast<double>(exponent)) : 0.0;
-      scaled[static_cast<std::size_t>(2 * (l - m))] *= factor;
-      scaled[static_cast<std::size_t>(2 * (l - m) + 1)] *= factor;
-    }
-    Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> of_order(waves.rows(), 2);
-    grid.legendre.synthesis(SharpLayer::kHighest, m, scaled,
-                            {of_order.data(), static_cast<std::size_t>(of_order.size())});
-    waves.middleCols<2>(2 * m) = of_order;
-  });
-  return waves * grid.waves.transpose();
+Values sharp_bands(Values coefficients, int degree, float exponent) {
+  for (int l = 0; l <= SharpLayer::kHighest; ++l) {
+    const double factor = l > degree ? phong_factor(l, static_cast<double>(exponent)) : 0.0;
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i) coefficients[static_cast<std::size_t>(i)] *= factor;
+  }
+  return coefficients;
 }
 
-// Red, green and blue.
-std::array<Values, 3> sampled(const Grid& grid, const SkyRadiance& sky) {
+// Red, green and blue at the nodes.
+std::array<Values, 3> sampled(const std::vector<double>& heights, int around, const SkyRadiance& sky) {
+  const std::vector<double> sine = sines(heights);
   std::array<Values, 3> values;
-  values.fill(Values(grid.z.size(), grid.waves.rows()));
-  in_parallel(0, static_cast<int>(grid.z.size()), [&](int ring) {
-    for (Eigen::Index j = 0; j < grid.waves.rows(); ++j) {
-      const double sine = grid.sine[ring];
-      const Eigen::Vector3f seen = sky({sine * grid.waves(j, 2), sine * grid.waves(j, 3), grid.z[ring]});
-      for (Eigen::Index c = 0; c < 3; ++c) values[c](ring, j) = static_cast<double>(seen[c]);
+  values.fill(Values(heights.size() * static_cast<std::size_t>(around)));
+  in_parallel(0, static_cast<int>(heights.size()), [&](int ring) {
+    for (int j = 0; j < around; ++j) {
+      const double phi = 2.0 * kPi * (j + 0.5) / around;
+      const Eigen::Vector3f seen = sky({sine[ring] * std::cos(phi), sine[ring] * std::sin(phi), heights[ring]});
+      for (Eigen::Index c = 0; c < 3; ++c)
+        values[c][static_cast<std::size_t>(ring * around + j)] = static_cast<double>(seen[c]);
     }
   });
-  if (!std::all_of(values.begin(), values.end(), [](const Values& channel) { return channel.allFinite(); })) {
+  const auto is_finite = [](const Values& channel) {
+    return std::all_of(channel.begin(), channel.end(), [](double value) { return std::isfinite(value); });
+  };
+  if (!std::all_of(values.begin(), values.end(), is_finite)) {
     throw std::runtime_error("a light is not finite; expected finite radiance for the sharp part of lobes");
   }
   return values;
@@ -127,17 +98,19 @@ SharpLayer::SharpLayer(const SkyRadiance& sky, int degree, Mesh mesh)
   }
   if (maps_.empty()) return;
   const auto rule = numeric::gauss_legendre<double>(kFineRings);
-  const Grid fine(rule.nodes, kFineAround);
-  const Grid grid = grid_of_map();
-  const std::array<Values, 3> values = sampled(fine, sky);
+  std::vector<double> weights;
+  for (const double weight : rule.weights) weights.push_back(weight * 2.0 * kPi / kFineAround);
+  const SphereTransform fine = transform_of(rule.nodes, kFineAround);
+  const SphereTransform of_map = transform_of_map();
+  const std::array<Values, 3> values = sampled(rule.nodes, kFineAround, sky);
   for (Eigen::Index channel = 0; channel < 3; ++channel) {
-    const Coefficients coefficients = analyzed(fine, rule.weights, values[channel]);
+    Values coefficients(numeric::coefficient_count(kHighest));
+    fine.analysis(values[channel], weights, coefficients, kInParallel);
     for (auto& [exponent, map] : maps_) {
-      const Values found = synthesized(grid, coefficients, degree, exponent);
-      map.resize(static_cast<std::size_t>(found.size()));
-      for (Eigen::Index i = 0; i < found.size(); ++i) {
-        map[i][channel] = static_cast<float>(found(i / kAround, i % kAround));
-      }
+      Values found(static_cast<std::size_t>(kRings * kAround));
+      of_map.synthesis(sharp_bands(coefficients, degree, exponent), found, kInParallel);
+      map.resize(found.size());
+      for (std::size_t i = 0; i < found.size(); ++i) map[i][channel] = static_cast<float>(found[i]);
     }
   }
 }

@@ -4,7 +4,7 @@
 //   bands degree+1 .. 128     the light convolved with the lobe, looked up at the mirrored direction of view, times the
 //                             visibility there (GS, GI) from its own coefficients: no bounces
 // In place of BRDFs stand the lobes nearest to them (prt/mesh/fit_lobes.hpp), in these bands alone.
-// Transforms are those of numeric/oracle/legendre_rings.hpp.
+// Transforms are those of numeric/oracle/sphere_transform.hpp.
 #pragma once
 #include <Eigen/Core>
 #include <functional>

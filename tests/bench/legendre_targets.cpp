@@ -1,10 +1,5 @@
-// Legendre functions: transforms over many rings at high degree, and the oracle at 100 digits. Gaunt coefficients:
-// exact ones against 10 ms at degree 100, and in double.
-//
-// The target of a transform is a figure of another library, ducc (b3de68c2), measured on another machine: 0.092 ns a
-// degree, order and ring at degree 1000, 0.14 at 300, 0.32 at 100. The speed of multiply-adds converts it to this
-// machine: the other one did 39.7 of doubles a nanosecond. (Side by side on this machine, ducc takes this time, and the
-// transforms take two thirds of it.)
+// Legendre functions: transforms over many rings at high degree, and of whole maps, beside libsharp where it is installed;
+// the oracle at 100 digits. Gaunt coefficients: exact ones against 10 ms at degree 100, and in double.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,58 +14,94 @@
 #include "numeric/oracle/legendre_values.hpp"
 #include "numeric/oracle/quadrature.hpp"
 #include "numeric/oracle/real.hpp"
+#include "numeric/oracle/sphere_transform.hpp"
 #include "tests/bench/harness.hpp"
+#include "tests/bench/sharp_control.hpp"
 
 namespace sh::bench {
 namespace {
 
-constexpr double kOperations = 39.7;  // multiply-adds of doubles a nanosecond where ducc was measured
-
-struct Peer {
-  int degree;
-  double ns;
-};
-constexpr std::array<Peer, 3> kDucc{{{100, 0.32}, {300, 0.14}, {1000, 0.092}}};
-
 struct Rings {
-  std::vector<double> z, sine;
+  std::vector<double> z, sine, weight;
 };
 
 // As many Gauss-Legendre rings as make quadrature exact.
 Rings gauss_rings(int degree) {
-  Rings rings{numeric::gauss_legendre<double>(degree + 1).nodes, {}};
+  const auto rule = numeric::gauss_legendre<double>(degree + 1);
+  Rings rings{rule.nodes, {}, rule.weights};
   for (const double z : rings.z) rings.sine.push_back(std::sqrt((1 - z) * (1 + z)));
   return rings;
 }
 
-// Nanoseconds of a double's multiply-add, eight to an operation of fma_task.
-double multiply_add() { return least_times({fma_task()})[0] / kFmaOperations / 8 * 1e9; }
+struct Goal {
+  int degree;
+  double synthesis, analysis;  // of the time of libsharp
+};
+constexpr std::array<Goal, 3> kGoals{{{100, 0.56, 0.56}, {300, 0.71, 0.79}, {1000, 0.74, 0.91}}};
 
-// Every eighth order, each the least of some passes: a whole transform is longer than the machine leaves alone.
+// Coefficients of all orders, the rings of each by turns with the other library; nothing but Legendre functions.
 void transforms(Table& table) {
-  table.section("Legendre transforms over degree + 1 rings, two coefficients each, ns a degree, order and ring",
-                "target: three times ducc, in multiply-adds of this machine");
-  const double limit = multiply_add() * kOperations;
-  for (const auto& [of_degree, ducc] : kDucc) {
-    const int degree = of_degree;
+  table.section("Legendre transforms of all orders over degree + 1 rings, ns a degree, order and ring",
+                kHasSharp ? "control: libsharp without its Fourier transforms, one thread"
+                          : "no control: libsharp is not installed");
+  for (const auto& [degree, synthesis, analysis] : kGoals) {
     const Rings rings = gauss_rings(degree);
     const numeric::LegendreRings transform(degree, rings.z, rings.sine);
-    const std::vector<double> a(2 * static_cast<std::size_t>(degree) + 2, 0.5);
-    std::vector<double> values(2 * rings.z.size());
-    std::vector<double> back(a.size());
-    std::array<double, 2> seconds{};
-    double count = 0;
-    for (int m = 0; m <= degree; m += 8) {
-      const std::size_t n = 2 * static_cast<std::size_t>(degree - m) + 2;
-      const auto t = least_times({[&] { transform.synthesis(degree, m, std::span(a).first(n), values); },
-                                  [&] { transform.analysis(degree, m, values, std::span(back).first(n)); }},
-                                 5);
-      for (std::size_t i = 0; i < 2; ++i) seconds[i] += t[i];
-      count += 0.5 * static_cast<double>(n * rings.z.size());
-    }
+    const auto terms = [degree = degree](int m) { return 2 * static_cast<std::size_t>(degree - m) + 2; };
+    const std::vector<double> a(terms(0), 0.5);
+    const std::size_t of_order = 2 * rings.z.size();
+    std::vector<double> values((static_cast<std::size_t>(degree) + 1) * of_order), back(a.size());
+    const SharpControl sharp(degree, rings.z, 2 * degree + 2, false);
+    const std::vector<double> t =
+        least_times({[&] {
+                       for (int m = 0; m <= degree; ++m) {
+                         transform.synthesis(degree, m, std::span(a).first(terms(m)),
+                                             std::span(values).subspan(m * of_order, of_order));
+                       }
+                     },
+                     [&] { sharp.synthesis(); },
+                     [&] {
+                       for (int m = 0; m <= degree; ++m) {
+                         transform.analysis(degree, m, std::span(values).subspan(m * of_order, of_order),
+                                            std::span(back).first(terms(m)));
+                       }
+                     },
+                     [&] { sharp.analysis(); }},
+                    degree > 300 ? 7 : 15);
+    const double ns = 1e9 / (0.5 * (degree + 1) * (degree + 2) * static_cast<double>(rings.z.size()));
     const std::string what = ", degree " + std::to_string(degree);
-    table.ratio("synthesis" + what, "ns", seconds[0] / count * 1e9, ducc * limit, "ducc", 3);
-    table.ratio("analysis" + what, "ns", seconds[1] / count * 1e9, ducc * limit, "ducc", 3);
+    if (kHasSharp) {
+      table.ratio("synthesis" + what, "ns", t[0] * ns, t[1] * ns, "libsharp", synthesis);
+      table.ratio("analysis" + what, "ns", t[2] * ns, t[3] * ns, "libsharp", analysis);
+    } else {
+      table.remark("synthesis" + what + ": " + std::to_string(t[0] * ns));
+      table.remark("analysis" + what + ": " + std::to_string(t[2] * ns));
+    }
+  }
+}
+
+// Coefficients to maps and back.
+void maps(Table& table) {
+  table.section("Maps of degree + 1 rings, one thread, ms",
+                kHasSharp ? "control: libsharp, one thread" : "no control: libsharp is not installed");
+  for (const auto& goal : kGoals) {
+    const int degree = goal.degree, around = numeric::smooth_around(2 * degree + 1);
+    const Rings rings = gauss_rings(degree);
+    const numeric::SphereTransform transform(degree, rings.z, rings.sine, around);
+    std::vector<double> a(coefficient_count(degree), 0.5), map(rings.z.size() * around);
+    const SharpControl sharp(degree, rings.z, around, true);
+    const std::vector<double> t =
+        least_times({[&] { transform.synthesis(a, map); }, [&] { sharp.synthesis(); },
+                     [&] { transform.analysis(map, rings.weight, a); }, [&] { sharp.analysis(); }},
+                    degree > 300 ? 7 : 15);
+    const std::string what = ", degree " + std::to_string(degree);
+    if (kHasSharp) {
+      table.ratio("coefficients to map" + what, "ms", t[0] * 1e3, t[1] * 1e3, "libsharp", 1);
+      table.ratio("map to coefficients" + what, "ms", t[2] * 1e3, t[3] * 1e3, "libsharp", 1);
+    } else {
+      table.remark("coefficients to map" + what + ": " + std::to_string(t[0] * 1e3));
+      table.remark("map to coefficients" + what + ": " + std::to_string(t[2] * 1e3));
+    }
   }
 }
 
@@ -123,6 +154,7 @@ void methods(Table& table) {
 
 void legendre(Table& table) {
   transforms(table);
+  maps(table);
   errors(table);
   oracle(table);
   methods(table);

@@ -38,8 +38,6 @@ void times(Table& table) {
         }
       };
     };
-    const Buffer<float> prepared = make_buffer<float>(batch::rotate_prepared_size(kDegree));
-    batch::rotate_prepare(kDegree, r.data(), prepared.get());
     const std::vector<double> t = least_times(
         {one_by_one([](const float* m, const float* v, float* o) { sh::rotate<kDegree>(m, v, o); }),
          one_by_one([](const float* m, const float* v, float* o) { textbook::classic_rotation<kDegree>(m, v, o); }),
@@ -47,18 +45,42 @@ void times(Table& table) {
            batch::rotate(kDegree, kRotations, batch::blocked(blocks_r.get()), batch::blocked(blocks_c.get()),
                          batch::blocked(out.get()));
          },
-         one_by_one([](const float* m, const float* v, float* o) { batch::rotate_one(kDegree, m, v, o); }),
-         one_by_one([&prepared](const float* /*m*/, const float* v, float* o) {
-           batch::rotate_prepared_one(kDegree, prepared.get(), v, o);
-         })});
+         one_by_one([](const float* m, const float* v, float* o) { batch::rotate_one(kDegree, m, v, o); })});
     const double ns = 1e9 / kRotations;
     const std::string degree = "degree " + std::to_string(kDegree);
     const double slower = kSlower[kDegree - 3];
     table.ratio("rotate, " + degree, "ns", t[0] * ns, t[1] * ns, "z-x90-z", 1.0 / slower);
     table.ratio("rotate, one with SIMD inside, " + degree, "ns", t[3] * ns, t[1] * ns, "z-x90-z", 0.6 / slower);
     table.ratio("rotate, batch of pairs, " + degree, "ns", t[2] * ns, t[1] * ns, "z-x90-z", 0.1 / slower);
-    table.ratio("apply a cached matrix, " + degree, "ns", t[4] * ns, t[0] * ns, "build and apply", 1.0 / 3);
   });
+}
+
+void prepared(Table& table) {
+  table.section("Many rotations by one matrix, one at a time, float, ns",
+                "control: rotate_one, which takes a matrix each time");
+  const std::vector<float> r = random_rotations(kRotations);
+  for (int degree = 2; degree <= 10; ++degree) {
+    const std::size_t size = coefficient_count(degree);
+    const std::vector<float> c = random_vectors(kRotations, size);
+    const Buffer<float> out = make_buffer<float>(kRotations * size);
+    const Buffer<float> matrix = make_buffer<float>(batch::rotate_prepared_size(degree));
+    batch::rotate_prepare(degree, r.data(), matrix.get());
+    const std::vector<double> t =
+        least_times({[&] {
+                       for (std::size_t i = 0; i < kRotations; ++i) {
+                         batch::rotate_prepared_one(degree, matrix.get(), &c[size * i], &out[size * i]);
+                         keep(out[0]);
+                       }
+                     },
+                     [&] {
+                       for (std::size_t i = 0; i < kRotations; ++i) {
+                         batch::rotate_one(degree, &r[9 * i], &c[size * i], &out[size * i]);
+                         keep(out[0]);
+                       }
+                     }});
+    const double ns = 1e9 / kRotations;
+    table.ratio("rotate_prepared_one, degree " + std::to_string(degree), "ns", t[0] * ns, t[1] * ns, "rotate_one", 0.4);
+  }
 }
 
 using Wide = long double;
@@ -106,6 +128,7 @@ void errors(Table& table) {
 
 void rotation(Table& table) {
   times(table);
+  prepared(table);
   errors(table);
 }
 

@@ -136,11 +136,102 @@ TEST(LegendreRings, AnalysisUndoesSynthesisOnGaussLegendreRingsAtDegree300) {
   }
 }
 
+// All pairs anchored at the pole or all at the equator, alone and both with nothing between: blocks of every size.
+TEST(LegendreRings, OfEveryNumberOfRegistersIsTheSumOfTheOraclesValues) {
+  for (const int near_pole : {0, 1, 8, 9, 17, 33}) {
+    for (const int near_equator : {0, 1, 8, 9, 17, 33}) {
+      for (const int between : {0, 1, 9, 25, 41}) {
+        Circle circle;
+        for (int i = 0; i < near_pole; ++i) circle.add(0.004 + 0.0041 * i);
+        for (int i = 0; i < between; ++i) circle.add(0.2 + 0.03 * i);
+        for (int i = 0; i < near_equator; ++i) circle.add(std::acos(-1.0) / 2 - 0.0005 * i);
+        if (circle.z.empty()) continue;
+        for (const RingLanes lanes : all_lanes()) {
+          const LegendreRings rings(21, circle.z, circle.sine, lanes);
+          EXPECT_LT(synthesis_error(rings, circle, 21, 2), 2e-14) << near_pole << ' ' << near_equator << ' ' << between;
+        }
+      }
+    }
+  }
+}
+
+// To degree 200 the tables are made once, of the largest degree, and serve all.
+TEST(LegendreRings, GivesTheSameBitsWithAndWithoutKeptTables) {
+  const Circle circle = some_rings();
+  const LegendreRings kept(200, circle.z, circle.sine);
+  const LegendreRings made(201, circle.z, circle.sine);
+  for (const int degree : {0, 7, 199, 200}) {
+    for (const int order : {0, degree / 2, degree}) {
+      const auto a = random_values(2 * (degree - order + 1), 4);
+      std::vector<double> values(2 * circle.z.size()), others(values.size());
+      kept.synthesis(degree, order, a, values);
+      made.synthesis(degree, order, a, others);
+      EXPECT_EQ(values, others) << degree << ' ' << order;
+    }
+  }
+}
+
+// In more registers of pairs than a panel has, dead, mixed and plain ones, against synthesis as the transpose.
+TEST(LegendreRings, AnalysisOfManyRingsIsTheTransposeOfSynthesis) {
+  Circle circle;
+  for (int i = 0; i < 700; ++i) circle.add(1e-4 + 0.00224 * i);
+  for (const RingTail tail : {RingTail::kNegligible, RingTail::kAll}) {
+    for (const RingLanes lanes : all_lanes()) {
+      const LegendreRings rings(1200, circle.z, circle.sine, lanes, tail);
+      for (const int order : {0, 300, 900, 1200}) {
+        const auto a = random_values(2 * (1200 - order + 1), 1);
+        const auto f = random_values(2 * circle.z.size(), 2);
+        std::vector<double> values(f.size());
+        std::vector<double> b(a.size());
+        rings.synthesis(1200, order, a, values);
+        rings.analysis(1200, order, f, b);
+        for (std::size_t c = 0; c < 2; ++c) {
+          double left = 0;
+          double right = 0;
+          double size = 0;
+          for (std::size_t i = c; i < f.size(); i += 2) left += f[i] * values[i];
+          for (std::size_t i = c; i < f.size(); i += 2) size += std::abs(f[i] * values[i]);
+          for (std::size_t i = c; i < a.size(); i += 2) right += a[i] * b[i];
+          EXPECT_NEAR(left, right, 1e-13 * size + 1e-300) << order;
+        }
+      }
+    }
+  }
+}
+
+TEST(LegendreRings, LeaveOutNothingButWhatIsNegligible) {
+  Circle circle;
+  for (int i = 1; i <= 64; ++i) circle.add(0.01 * i);
+  int left_out = 0;
+  for (const RingLanes lanes : all_lanes()) {
+    const LegendreRings rings(3000, circle.z, circle.sine, lanes, RingTail::kNegligible);
+    for (const int order : {100, 400, 2000, 2900}) {
+      std::vector<double> a(2 * (3000 - order + 1), 0.0);
+      std::vector<double> values(2 * circle.z.size());
+      for (const int above : {3, 40, 100}) {
+        a.assign(a.size(), 0.0);
+        a[2 * above] = 1;
+        rings.synthesis(3000, order, a, values);
+        for (std::size_t i = 0; i < circle.z.size(); ++i) {
+          const double wanted = legendre_value(order + above, order, circle.z[i], circle.sine[i]);
+          if (values[2 * i] == 0 && wanted != 0) {
+            ++left_out;
+            EXPECT_LT(std::abs(wanted), 1e-71) << order << ' ' << i;
+          } else {
+            EXPECT_NEAR(values[2 * i], wanted, 1e-12 * std::abs(wanted) + 1e-300) << order << ' ' << i;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(left_out, 0);
+}
+
 TEST(LegendreRings, TheTailKeepsItsDigitsDownToTheSmallestNormalNumber) {
   Circle circle;
   for (int i = 1; i <= 64; ++i) circle.add(0.01 * i);
   for (const RingLanes lanes : all_lanes()) {
-    const LegendreRings rings(500, circle.z, circle.sine, lanes);
+    const LegendreRings rings(500, circle.z, circle.sine, lanes, RingTail::kAll);
     for (const int order : {100, 200, 400}) {
       std::vector<double> a(2 * (500 - order + 1), 0.0);
       std::vector<double> values(2 * circle.z.size());
