@@ -70,7 +70,8 @@ struct BatchDriver {
   bool half = false;          ///< true: input 0 may be half precision
   bool rings = false;         ///< true: visibility times a light, in stages (runtime/transfer_rings.hpp)
   bool scalar_products = false;  ///< true: of rows with input 1, in loops (multiply_blocks, multiply_records)
-  bool few = false;  ///< true: few plain records run a kernel of scalars (runtime/drive.hpp); for kernels of + - *
+  bool groups =
+      false;         ///< true: plain records go through registers in groups (runtime/groups.hpp); for kernels of + - *
   int largest = 10;  ///< the largest degree; beyond it a driver does not justify its compile time
 };
 

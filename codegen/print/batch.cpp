@@ -98,6 +98,21 @@ $declarations
                 {{"stamp", kStamp}, {"declarations", declarations}});
 }
 
+// The way of plain records that needs no driver; empty if there is none.
+std::string plain_call(const Driver& driver, const Overload& types) {
+  if (!driver.spec.groups || types.first == "Half") return {};
+  std::string inputs;
+  for (const Record& record : signature_of(driver.last()).inputs) inputs += ", " + record.name;
+  return filled(R"(  static constexpr const detail::RecordKernel<$t>* kPlain[] = SH_BATCH_EVERY($table);
+  if (detail::run_plain(kPlain, degree, $degree, n, $out$inputs)) return;
+)",
+                {{"t", types.scalar},
+                 {"table", table_of_records(driver, types.scalar)},
+                 {"degree", std::to_string(driver.last().degree)},
+                 {"out", signature_of(driver.last()).out},
+                 {"inputs", inputs}});
+}
+
 std::string definition(const Driver& driver, const Overload& types) {
   const Kernel& kernel = driver.last();
   const RecordSignature s = signature_of(kernel);
@@ -111,11 +126,12 @@ std::string definition(const Driver& driver, const Overload& types) {
   }
   return filled(R"(
 $signature {
-  static constexpr detail::Run<$t> kEvery[] = SH_BATCH_EVERY($name);
+$plain  static constexpr detail::Run<$t> kEvery[] = SH_BATCH_EVERY($name);
   detail::run<$t>("$name", kEvery, {degree, n, {$inputs}, $out$half}, $count, $degree, $size);
 }
 )",
                 {{"signature", public_signature(driver, types)},
+                 {"plain", plain_call(driver, types)},
                  {"t", types.scalar},
                  {"name", driver.name},
                  {"inputs", inputs},
@@ -131,8 +147,14 @@ std::string drivers_file(const std::vector<Driver>& drivers) {
                      "#include \"drivers.hpp\"\n\n#include \"choice.hpp\"\n\nnamespace sh::batch {\n";
   for (const char* isa : {"baseline", "avx2", "avx512"}) {
     text += "\nnamespace " + std::string(isa) + " {\n";
-    for (const Driver& driver : drivers)
+    for (const Driver& driver : drivers) {
       text += "template <class T>\nvoid " + driver.name + "(const detail::Call<T>& call);\n";
+      for (const char* scalar : {"float", "double"}) {
+        if (!driver.spec.groups) continue;
+        text += filled("extern const detail::RecordKernel<$t> $table[];\n",
+                       {{"t", scalar}, {"table", table_of_records(driver, scalar)}});
+      }
+    }
     text += "}  // namespace " + std::string(isa) + "\n";
   }
   for (const Driver& driver : drivers) {

@@ -58,6 +58,9 @@ struct Driver {
 /// The drivers of all families that have one.
 std::vector<Driver> drivers_of(const std::vector<WrittenFamily>& families);
 
+/// The name of the table of a driver's kernels of plain records.
+std::string table_of_records(const Driver& driver, const std::string& scalar);
+
 /// generated/batch/<driver>.cpp: the driver's kernels by degree, compiled once for each instruction set.
 std::string kernels_file(const Driver& driver);
 

@@ -91,17 +91,19 @@ std::string size_in_degree(int size, const Kernel& kernel) {
   return (size == count ? "" : std::to_string(size / count) + " * ") + "((Degree + 1) * (Degree + 1))";
 }
 
-// A kernel of plain records, one by one.
-std::string record_kernel(const Kernel& kernel) {
+// Kernels of plain records, one by one and by groups, and what chooses between them.
+std::string record_kernels(const Kernel& kernel) {
   const RecordSignature s = signature_of(kernel);
-  std::string inputs;
+  std::string inputs, sizes;
   for (std::size_t j = 0; j < s.inputs.size(); ++j) {
-    inputs +=
-        (j == 0 ? "" : ", ") + filled("reinterpret_cast<const One<T>*>(from[$j]) + i * $size",
-                                      {{"j", std::to_string(j)}, {"size", size_in_degree(s.inputs[j].size, kernel)}});
+    const std::string size = size_in_degree(s.inputs[j].size, kernel);
+    inputs += (j == 0 ? "" : ", ") + filled("reinterpret_cast<const One<T>*>(from[$j]) + i * $size",
+                                            {{"j", std::to_string(j)}, {"size", size}});
+    sizes += ", " + size;
   }
-  return filled(R"(template <int Degree, class T>
-[[gnu::flatten]] void record(const T* const* from, std::size_t n, T* to) {
+  return filled(
+      R"(template <int Degree, class T>
+[[gnu::flatten]] void one_by_one(const T* const* from, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
     const One<T>* const in[] = {$inputs};
     auto* out = reinterpret_cast<One<T>*>(to) + i * $size;
@@ -109,8 +111,31 @@ std::string record_kernel(const Kernel& kernel) {
   }
 }
 
+template <int Degree, class T>
+[[gnu::flatten]] void in_groups(const T* const* from, std::size_t count, T* to) {
+  for_every_group<T, $size$sizes>(from, count, to, [](const Group<T>* const* in, Group<T>* out) {
+    $call
+  });
+}
+
+template <int Degree, class T>
+void records(const T* const* from, std::size_t n, T* to) {
+  run_records<T, $size$sizes>(from, n, to, one_by_one<Degree, T>, in_groups<Degree, T>);
+}
+
 )",
-                {{"inputs", inputs}, {"size", size_in_degree(s.out_size, kernel)}, {"call", call_of(kernel)}});
+      {{"inputs", inputs}, {"sizes", sizes}, {"size", size_in_degree(s.out_size, kernel)}, {"call", call_of(kernel)}});
+}
+
+// The kernels of plain records by degree.
+std::string record_table(const Driver& driver, const std::string& scalar) {
+  std::string text =
+      filled("extern const detail::RecordKernel<$t> $table[];\nconst detail::RecordKernel<$t> $table[] = {\n",
+             {{"t", scalar}, {"table", table_of_records(driver, scalar)}});
+  for (const FinishedKernel& finished : driver.kernels) {
+    text += filled("    records<$degree, $t>,\n", {{"degree", std::to_string(finished.kernel.degree)}, {"t", scalar}});
+  }
+  return text + "};\n";
 }
 
 // Where the instruction set has no conversions, the driver widens and runs the kernel: nothing is compiled twice.
@@ -148,7 +173,7 @@ std::string plan_row(const Driver& driver, std::size_t i) {
   std::string shared;
   if (shared_input(s) >= 0) shared = ", " + std::to_string(shared_input(s));
   if (!records.empty()) shared += ", " + records;
-  if (driver.spec.few) shared = ", -1, nullptr, record" + at_degree + ", T>";
+  if (driver.spec.groups) shared = ", -1, nullptr, records" + at_degree + ", T>";
   return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish$shared},\n",
                 {{"inputs", std::to_string(s.inputs.size())},
                  {"sizes", sizes},
@@ -202,6 +227,8 @@ $runs  };
 
 }  // namespace
 
+std::string table_of_records(const Driver& driver, const std::string& scalar) { return driver.name + "_" + scalar; }
+
 std::string kernels_file(const Driver& driver) {
   std::string includes;
   if (!driver.spec.scalar_products) includes += "#include \"../cpp/" + driver.name + ".hpp\"\n";
@@ -209,13 +236,14 @@ std::string kernels_file(const Driver& driver) {
     if (further != nullptr) includes += "#include \"../cpp/" + further->back().kernel.family + ".hpp\"\n";
   }
   includes += "#include \"drive.hpp\"\n";
+  if (driver.spec.groups) includes += "#include \"groups.hpp\"\n";
   if (driver.spec.rings) includes += "#include \"transfer_rings.hpp\"\n";
   if (driver.prepares() || driver.adds_parts()) includes += "#include \"once.hpp\"\n";
   const bool rings = driver.spec.rings;
   std::string kernels = driver.spec.scalar_products ? "" : block_kernel("kernel", driver.last(), Loop::kPlain, rings);
   if (driver.adds_parts()) kernels += block_kernel("parts", driver.parts->back().kernel);
   if (driver.prepares()) kernels += block_kernel("kernel_prepared", driver.prepared->back().kernel, Loop::kFixed);
-  if (driver.spec.few) kernels += record_kernel(driver.last());
+  if (driver.spec.groups) kernels += record_kernels(driver.last());
   if (driver.spec.half && !driver.spec.scalar_products) {
     kernels +=
         "#if defined(SH_BATCH_CONVERTS_HALVES)\n" + block_kernel("kernel_half", driver.last(), Loop::kHalf, rings);
@@ -239,14 +267,15 @@ $plans  };
 }
 template void $name(const detail::Call<float>&);
 template void $name(const detail::Call<double>&);
-
+$tables
 }  // namespace sh::batch::SH_BATCH_ISA
 )",
       {{"name", driver.name},
        {"stamp", kStamp},
        {"includes", includes},
        {"kernels", kernels + "template <class T>"},
-       {"plans", plans}});
+       {"plans", plans},
+       {"tables", driver.spec.groups ? "\n" + record_table(driver, "float") + record_table(driver, "double") : ""}});
 }
 
 std::string once_header(const std::vector<Driver>& drivers) {

@@ -22,6 +22,10 @@ struct Call {
   bool stream = false;         ///< write past the cache
 };
 
+/// A kernel of n plain records.
+template <class T>
+using RecordKernel = void (*)(const T* const* in, std::size_t n, T* out);
+
 /// Something computed once a call.
 template <class T>
 using Once = void (*)(int degree, const T* in, T* out);

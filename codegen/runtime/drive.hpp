@@ -5,27 +5,10 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 
 #include "lanes.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
-
-/// A kernel of n plain records, one by one.
-template <class T>
-using RecordKernel = void (*)(const T* const* in, std::size_t n, T* out);
-
-/// The most plain records that are faster one by one than as part of a block. Moving records to blocks and back costs more
-/// than registers save where they have two lanes, or where kernels are short. As measured (tests/bench/plain_targets.cpp).
-template <class T>
-constexpr std::size_t most_by_record(int degree) {
-  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-  constexpr int kLanes = static_cast<int>(Lanes<T>::kWidth);
-  if (kLanes == 2 || degree < 2 || (degree == 2 && (kLanes == 4 || sizeof(T) == sizeof(double)))) return kAll;
-  if (degree == 2) return 24;
-  if (degree == 3) return 8;
-  return kLanes > 4 ? 7 : 4;
-}
 
 /// A driver at one degree: its kernel and the sizes of its records.
 template <class T>
@@ -43,8 +26,8 @@ struct Plan {
   // Where the kernel adds up something else: from that to the sum.
   detail::Once<double> finish = nullptr;
   int shared = -1;  // the input that is always shared, and that the kernel takes as scalars; none: -1
-  BlockKernel<T> kernel_records = nullptr;  // from plain records of input 0 to plain records
-  RecordKernel<T> kernel_record = nullptr;  // for up to most_by_record(degree) of them
+  BlockKernel<T> kernel_records = nullptr;         // from plain records of input 0 to plain records
+  detail::RecordKernel<T> kernel_plain = nullptr;  // takes and gives plain records
 };
 
 /// The kernel where T is float; none for double.

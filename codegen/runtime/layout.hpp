@@ -52,11 +52,11 @@ void join_whole_records(const T* block, std::size_t size, T* records) {
   const T* alone = size > kRow<T> && size % kRow<T> == 1 ? block : nullptr;
   std::size_t k = alone != nullptr ? 1 : 0;
   for (; k + kSlab <= size; k += kSlab) {
-    join_slab<kTilesOfSlab<T>>(block + k * kBlock<T>, alone, records + k, size);
+    join_slab<kTilesOfSlab<T>>(columns_of(block + k * kBlock<T>), alone, records + k, size);
     alone = nullptr;
   }
   for (; k + kRow<T> <= size; k += kRow<T>) {
-    join_slab<1>(block + k * kBlock<T>, alone, records + k, size);
+    join_slab<1>(columns_of(block + k * kBlock<T>), alone, records + k, size);
     alone = nullptr;
   }
   for (; k < size; k += kSide<T>) {

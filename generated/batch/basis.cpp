@@ -4,6 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 #include "../cpp/basis.hpp"
 #include "drive.hpp"
+#include "groups.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
 
@@ -17,7 +18,7 @@ template <int Degree, class T>
 }
 
 template <int Degree, class T>
-[[gnu::flatten]] void record(const T* const* from, std::size_t n, T* to) {
+[[gnu::flatten]] void one_by_one(const T* const* from, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
     const One<T>* const in[] = {reinterpret_cast<const One<T>*>(from[0]) + i * 3};
     auto* out = reinterpret_cast<One<T>*>(to) + i * ((Degree + 1) * (Degree + 1));
@@ -25,26 +26,67 @@ template <int Degree, class T>
   }
 }
 
+template <int Degree, class T>
+[[gnu::flatten]] void in_groups(const T* const* from, std::size_t count, T* to) {
+  for_every_group<T, ((Degree + 1) * (Degree + 1)), 3>(from, count, to, [](const Group<T>* const* in, Group<T>* out) {
+    sh::basis<Degree>(in[0][0], in[0][1], in[0][2], out);
+  });
+}
+
+template <int Degree, class T>
+void records(const T* const* from, std::size_t n, T* to) {
+  run_records<T, ((Degree + 1) * (Degree + 1)), 3>(from, n, to, one_by_one<Degree, T>, in_groups<Degree, T>);
+}
+
 }  // namespace
 
 template <class T>
 void basis(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {1, {3}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<0, T>},
-      {1, {3}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<1, T>},
-      {1, {3}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<2, T>},
-      {1, {3}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<3, T>},
-      {1, {3}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<4, T>},
-      {1, {3}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<5, T>},
-      {1, {3}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<6, T>},
-      {1, {3}, 64, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<7, T>},
-      {1, {3}, 81, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<8, T>},
-      {1, {3}, 100, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<9, T>},
-      {1, {3}, 121, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, record<10, T>},
+      {1, {3}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, records<0, T>},
+      {1, {3}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, records<1, T>},
+      {1, {3}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, records<2, T>},
+      {1, {3}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, records<3, T>},
+      {1, {3}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, records<4, T>},
+      {1, {3}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, records<5, T>},
+      {1, {3}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, records<6, T>},
+      {1, {3}, 64, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, records<7, T>},
+      {1, {3}, 81, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, records<8, T>},
+      {1, {3}, 100, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, records<9, T>},
+      {1, {3}, 121, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, records<10, T>},
   };
   drive(call, kPlans[call.degree]);
 }
 template void basis(const detail::Call<float>&);
 template void basis(const detail::Call<double>&);
+
+extern const detail::RecordKernel<float> basis_float[];
+const detail::RecordKernel<float> basis_float[] = {
+    records<0, float>,
+    records<1, float>,
+    records<2, float>,
+    records<3, float>,
+    records<4, float>,
+    records<5, float>,
+    records<6, float>,
+    records<7, float>,
+    records<8, float>,
+    records<9, float>,
+    records<10, float>,
+};
+extern const detail::RecordKernel<double> basis_double[];
+const detail::RecordKernel<double> basis_double[] = {
+    records<0, double>,
+    records<1, double>,
+    records<2, double>,
+    records<3, double>,
+    records<4, double>,
+    records<5, double>,
+    records<6, double>,
+    records<7, double>,
+    records<8, double>,
+    records<9, double>,
+    records<10, double>,
+};
 
 }  // namespace sh::batch::SH_BATCH_ISA

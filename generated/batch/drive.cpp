@@ -259,32 +259,14 @@ bool is_plain(const detail::Call<T>& call, const Plan<T>& plan) {
   return plain;
 }
 
-template <class T>
-[[gnu::noinline]] void drive_blocks(const detail::Call<T>& call, const Plan<T>& plan) {
-  Driver<T>(call, plan).run();
-}
-
-// The last records of a call.
-template <class T>
-void drive_records(const detail::Call<T>& call, const Plan<T>& plan, std::size_t first) {
-  const T* in[detail::kMostInputs];
-  for (int j = 0; j < plan.inputs; ++j) in[j] = call.in[j].data + first * plan.in[j];
-  plan.kernel_record(static_cast<const T* const*>(in), call.n - first, call.out.data + first * plan.out);
-}
-
 }  // namespace
 
 template <class T>
 void drive(const detail::Call<T>& call, const Plan<T>& plan) {
-  if (plan.kernel_record == nullptr || call.stream || !is_plain(call, plan)) return drive_blocks(call, plan);
-  const std::size_t most = most_by_record<T>(call.degree);
-  if (call.n <= most) return drive_records(call, plan, 0);
-  const std::size_t rest = call.n % kBlock<T>;
-  if (rest == 0 || rest > most) return drive_blocks(call, plan);
-  detail::Call<T> blocks = call;
-  blocks.n -= rest;
-  drive_blocks(blocks, plan);
-  drive_records(call, plan, blocks.n);
+  if (plan.kernel_plain == nullptr || call.stream || !is_plain(call, plan)) return Driver<T>(call, plan).run();
+  const T* in[detail::kMostInputs];
+  for (int j = 0; j < plan.inputs; ++j) in[j] = call.in[j].data;
+  plan.kernel_plain(static_cast<const T* const*>(in), call.n, call.out.data);
 }
 template void drive(const detail::Call<float>&, const Plan<float>&);
 template void drive(const detail::Call<double>&, const Plan<double>&);

@@ -5,6 +5,7 @@
 #include "../cpp/evaluate.hpp"
 #include "../cpp/evaluate_prepared.hpp"
 #include "drive.hpp"
+#include "groups.hpp"
 #include "once.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
@@ -26,12 +27,24 @@ template <int Degree, class T>
 }
 
 template <int Degree, class T>
-[[gnu::flatten]] void record(const T* const* from, std::size_t n, T* to) {
+[[gnu::flatten]] void one_by_one(const T* const* from, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
     const One<T>* const in[] = {reinterpret_cast<const One<T>*>(from[0]) + i * ((Degree + 1) * (Degree + 1)), reinterpret_cast<const One<T>*>(from[1]) + i * 3};
     auto* out = reinterpret_cast<One<T>*>(to) + i * 1;
     out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
   }
+}
+
+template <int Degree, class T>
+[[gnu::flatten]] void in_groups(const T* const* from, std::size_t count, T* to) {
+  for_every_group<T, 1, ((Degree + 1) * (Degree + 1)), 3>(from, count, to, [](const Group<T>* const* in, Group<T>* out) {
+    out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
+  });
+}
+
+template <int Degree, class T>
+void records(const T* const* from, std::size_t n, T* to) {
+  run_records<T, 1, ((Degree + 1) * (Degree + 1)), 3>(from, n, to, one_by_one<Degree, T>, in_groups<Degree, T>);
 }
 
 #if defined(SH_BATCH_CONVERTS_HALVES)
@@ -56,21 +69,50 @@ constexpr BlockKernel<T> half() {
 template <class T>
 void evaluate(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {1, 3}, 1, false, kernel<0, T>, half<0, 1, T>(), detail::prepare_evaluate, 1, kernel_prepared<0, T>, nullptr, -1, nullptr, record<0, T>},
-      {2, {4, 3}, 1, false, kernel<1, T>, half<1, 4, T>(), detail::prepare_evaluate, 4, kernel_prepared<1, T>, nullptr, -1, nullptr, record<1, T>},
-      {2, {9, 3}, 1, false, kernel<2, T>, half<2, 9, T>(), detail::prepare_evaluate, 9, kernel_prepared<2, T>, nullptr, -1, nullptr, record<2, T>},
-      {2, {16, 3}, 1, false, kernel<3, T>, half<3, 16, T>(), detail::prepare_evaluate, 16, kernel_prepared<3, T>, nullptr, -1, nullptr, record<3, T>},
-      {2, {25, 3}, 1, false, kernel<4, T>, half<4, 25, T>(), detail::prepare_evaluate, 25, kernel_prepared<4, T>, nullptr, -1, nullptr, record<4, T>},
-      {2, {36, 3}, 1, false, kernel<5, T>, half<5, 36, T>(), detail::prepare_evaluate, 36, kernel_prepared<5, T>, nullptr, -1, nullptr, record<5, T>},
-      {2, {49, 3}, 1, false, kernel<6, T>, half<6, 49, T>(), detail::prepare_evaluate, 49, kernel_prepared<6, T>, nullptr, -1, nullptr, record<6, T>},
-      {2, {64, 3}, 1, false, kernel<7, T>, half<7, 64, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<7, T>},
-      {2, {81, 3}, 1, false, kernel<8, T>, half<8, 81, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<8, T>},
-      {2, {100, 3}, 1, false, kernel<9, T>, half<9, 100, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<9, T>},
-      {2, {121, 3}, 1, false, kernel<10, T>, half<10, 121, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<10, T>},
+      {2, {1, 3}, 1, false, kernel<0, T>, half<0, 1, T>(), detail::prepare_evaluate, 1, kernel_prepared<0, T>, nullptr, -1, nullptr, records<0, T>},
+      {2, {4, 3}, 1, false, kernel<1, T>, half<1, 4, T>(), detail::prepare_evaluate, 4, kernel_prepared<1, T>, nullptr, -1, nullptr, records<1, T>},
+      {2, {9, 3}, 1, false, kernel<2, T>, half<2, 9, T>(), detail::prepare_evaluate, 9, kernel_prepared<2, T>, nullptr, -1, nullptr, records<2, T>},
+      {2, {16, 3}, 1, false, kernel<3, T>, half<3, 16, T>(), detail::prepare_evaluate, 16, kernel_prepared<3, T>, nullptr, -1, nullptr, records<3, T>},
+      {2, {25, 3}, 1, false, kernel<4, T>, half<4, 25, T>(), detail::prepare_evaluate, 25, kernel_prepared<4, T>, nullptr, -1, nullptr, records<4, T>},
+      {2, {36, 3}, 1, false, kernel<5, T>, half<5, 36, T>(), detail::prepare_evaluate, 36, kernel_prepared<5, T>, nullptr, -1, nullptr, records<5, T>},
+      {2, {49, 3}, 1, false, kernel<6, T>, half<6, 49, T>(), detail::prepare_evaluate, 49, kernel_prepared<6, T>, nullptr, -1, nullptr, records<6, T>},
+      {2, {64, 3}, 1, false, kernel<7, T>, half<7, 64, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<7, T>},
+      {2, {81, 3}, 1, false, kernel<8, T>, half<8, 81, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<8, T>},
+      {2, {100, 3}, 1, false, kernel<9, T>, half<9, 100, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<9, T>},
+      {2, {121, 3}, 1, false, kernel<10, T>, half<10, 121, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<10, T>},
   };
   drive(call, kPlans[call.degree]);
 }
 template void evaluate(const detail::Call<float>&);
 template void evaluate(const detail::Call<double>&);
+
+extern const detail::RecordKernel<float> evaluate_float[];
+const detail::RecordKernel<float> evaluate_float[] = {
+    records<0, float>,
+    records<1, float>,
+    records<2, float>,
+    records<3, float>,
+    records<4, float>,
+    records<5, float>,
+    records<6, float>,
+    records<7, float>,
+    records<8, float>,
+    records<9, float>,
+    records<10, float>,
+};
+extern const detail::RecordKernel<double> evaluate_double[];
+const detail::RecordKernel<double> evaluate_double[] = {
+    records<0, double>,
+    records<1, double>,
+    records<2, double>,
+    records<3, double>,
+    records<4, double>,
+    records<5, double>,
+    records<6, double>,
+    records<7, double>,
+    records<8, double>,
+    records<9, double>,
+    records<10, double>,
+};
 
 }  // namespace sh::batch::SH_BATCH_ISA

@@ -4,6 +4,7 @@
 // Licence:      MIT-0; paste it anywhere.
 #include "../cpp/evaluate_rgb.hpp"
 #include "drive.hpp"
+#include "groups.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
 
@@ -17,12 +18,24 @@ template <int Degree, class T>
 }
 
 template <int Degree, class T>
-[[gnu::flatten]] void record(const T* const* from, std::size_t n, T* to) {
+[[gnu::flatten]] void one_by_one(const T* const* from, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
     const One<T>* const in[] = {reinterpret_cast<const One<T>*>(from[0]) + i * 3 * ((Degree + 1) * (Degree + 1)), reinterpret_cast<const One<T>*>(from[1]) + i * 3};
     auto* out = reinterpret_cast<One<T>*>(to) + i * 3;
     sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
   }
+}
+
+template <int Degree, class T>
+[[gnu::flatten]] void in_groups(const T* const* from, std::size_t count, T* to) {
+  for_every_group<T, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(from, count, to, [](const Group<T>* const* in, Group<T>* out) {
+    sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
+  });
+}
+
+template <int Degree, class T>
+void records(const T* const* from, std::size_t n, T* to) {
+  run_records<T, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(from, n, to, one_by_one<Degree, T>, in_groups<Degree, T>);
 }
 
 #if defined(SH_BATCH_CONVERTS_HALVES)
@@ -47,21 +60,50 @@ constexpr BlockKernel<T> half() {
 template <class T>
 void evaluate_rgb(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {3, 3}, 3, false, kernel<0, T>, half<0, 3, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<0, T>},
-      {2, {12, 3}, 3, false, kernel<1, T>, half<1, 12, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<1, T>},
-      {2, {27, 3}, 3, false, kernel<2, T>, half<2, 27, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<2, T>},
-      {2, {48, 3}, 3, false, kernel<3, T>, half<3, 48, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<3, T>},
-      {2, {75, 3}, 3, false, kernel<4, T>, half<4, 75, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<4, T>},
-      {2, {108, 3}, 3, false, kernel<5, T>, half<5, 108, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<5, T>},
-      {2, {147, 3}, 3, false, kernel<6, T>, half<6, 147, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<6, T>},
-      {2, {192, 3}, 3, false, kernel<7, T>, half<7, 192, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<7, T>},
-      {2, {243, 3}, 3, false, kernel<8, T>, half<8, 243, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<8, T>},
-      {2, {300, 3}, 3, false, kernel<9, T>, half<9, 300, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<9, T>},
-      {2, {363, 3}, 3, false, kernel<10, T>, half<10, 363, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, record<10, T>},
+      {2, {3, 3}, 3, false, kernel<0, T>, half<0, 3, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<0, T>},
+      {2, {12, 3}, 3, false, kernel<1, T>, half<1, 12, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<1, T>},
+      {2, {27, 3}, 3, false, kernel<2, T>, half<2, 27, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<2, T>},
+      {2, {48, 3}, 3, false, kernel<3, T>, half<3, 48, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<3, T>},
+      {2, {75, 3}, 3, false, kernel<4, T>, half<4, 75, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<4, T>},
+      {2, {108, 3}, 3, false, kernel<5, T>, half<5, 108, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<5, T>},
+      {2, {147, 3}, 3, false, kernel<6, T>, half<6, 147, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<6, T>},
+      {2, {192, 3}, 3, false, kernel<7, T>, half<7, 192, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<7, T>},
+      {2, {243, 3}, 3, false, kernel<8, T>, half<8, 243, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<8, T>},
+      {2, {300, 3}, 3, false, kernel<9, T>, half<9, 300, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<9, T>},
+      {2, {363, 3}, 3, false, kernel<10, T>, half<10, 363, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, records<10, T>},
   };
   drive(call, kPlans[call.degree]);
 }
 template void evaluate_rgb(const detail::Call<float>&);
 template void evaluate_rgb(const detail::Call<double>&);
+
+extern const detail::RecordKernel<float> evaluate_rgb_float[];
+const detail::RecordKernel<float> evaluate_rgb_float[] = {
+    records<0, float>,
+    records<1, float>,
+    records<2, float>,
+    records<3, float>,
+    records<4, float>,
+    records<5, float>,
+    records<6, float>,
+    records<7, float>,
+    records<8, float>,
+    records<9, float>,
+    records<10, float>,
+};
+extern const detail::RecordKernel<double> evaluate_rgb_double[];
+const detail::RecordKernel<double> evaluate_rgb_double[] = {
+    records<0, double>,
+    records<1, double>,
+    records<2, double>,
+    records<3, double>,
+    records<4, double>,
+    records<5, double>,
+    records<6, double>,
+    records<7, double>,
+    records<8, double>,
+    records<9, double>,
+    records<10, double>,
+};
 
 }  // namespace sh::batch::SH_BATCH_ISA

@@ -51,7 +51,8 @@ Register subtract_product(const Register& c, const Register& a, const Register& 
 #endif
 
 // A product that is not rounded yet. Where the instruction set has FMA, a sum with it is rounded once; the types decide
-// that, not the compiler, so that every compiler gives a record the same bits, alone and in a register. V: Lanes or One.
+// that, not the compiler, so that every compiler gives a record the same bits, alone and in a register. V: Lanes, Group or
+// One.
 template <class V>
 class Product {
  public:
@@ -115,35 +116,6 @@ class Lanes {
   [[nodiscard]] Register get() const noexcept { return Register(part_[0]); }
 
   typename Register::register_type part_[kParts];  // not of class type: g++ would keep a copy of each in memory
-};
-
-// One lane, for a few records.
-template <class T>
-class One {
- public:
-  using value_type = T;
-
-  One() noexcept {}  // NOLINT(modernize-use-equals-default): as above
-  explicit One(T value) noexcept : value_(value) {}
-
-  friend One operator+(const One& a, const One& b) noexcept { return One(a.value_ + b.value_); }
-  friend One operator-(const One& a, const One& b) noexcept { return One(a.value_ - b.value_); }
-  friend Product<One> operator*(const One& a, const One& b) noexcept { return {a, b}; }
-  friend One operator-(const One& a) noexcept { return One(-a.value_); }
-
-  static One product(const One& a, const One& b) noexcept { return One(a.value_ * b.value_); }
-  static One multiply_add(const One& a, const One& b, const One& c) noexcept {
-#if defined(__FMA__)
-    return One(std::fma(a.value_, b.value_, c.value_));
-#else
-    return product(a, b) + c;
-#endif
-  }
-  static One multiply_subtract(const One& a, const One& b, const One& c) noexcept { return multiply_add(a, b, -c); }
-  static One subtract_product(const One& c, const One& a, const One& b) noexcept { return multiply_add(-a, b, c); }
-
- private:
-  T value_;
 };
 
 #if defined(__F16C__) || defined(__AVX512F__)

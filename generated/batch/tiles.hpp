@@ -90,13 +90,6 @@ struct Tiles {
                     load_rows(records + 3 * size, size));
 }
 
-// The same of a block, of kWide lanes -> rows: record i, and record 4 + i beside it.
-[[gnu::always_inline]] inline Tiles load_tiles(const float* block) {
-  constexpr std::size_t kStep = kBlock<float>;
-  return transposed(load_wide(block), load_wide(block + kStep), load_wide(block + 2 * kStep),
-                    load_wide(block + 3 * kStep));
-}
-
 // kSide values of kTaken records, `size` values apart -> a part of a block.
 inline void spread_records(const float* records, std::size_t size, float* block) {
   const Tiles columns = load_columns(records, size);
@@ -106,9 +99,10 @@ inline void spread_records(const float* records, std::size_t size, float* block)
   store(block + 3 * kBlock<float>, columns.v[3]);
 }
 
-// The same back.
-inline void join_records(const float* block, float* records, std::size_t size) {
-  const Tiles rows = load_tiles(block);
+// The same back, from four columns.
+[[gnu::always_inline]] inline void join_columns(const Wide& c0, const Wide& c1, const Wide& c2, const Wide& c3,
+                                                float* records, std::size_t size) {
+  const Tiles rows = transposed(c0, c1, c2, c3);  // record i, and record 4 + i beside it
   store(records, __builtin_shufflevector(rows.v[0], rows.v[0], 0, 1, 2, 3));
   store(records + size, __builtin_shufflevector(rows.v[1], rows.v[1], 0, 1, 2, 3));
   store(records + 2 * size, __builtin_shufflevector(rows.v[2], rows.v[2], 0, 1, 2, 3));
@@ -120,6 +114,11 @@ inline void join_records(const float* block, float* records, std::size_t size) {
   store(records + 2 * size, __builtin_shufflevector(rows.v[2], rows.v[2], 4, 5, 6, 7));
   store(records + 3 * size, __builtin_shufflevector(rows.v[3], rows.v[3], 4, 5, 6, 7));
 #endif
+}
+inline void join_records(const float* block, float* records, std::size_t size) {
+  constexpr std::size_t kStep = kBlock<float>;
+  join_columns(load_wide(block), load_wide(block + kStep), load_wide(block + 2 * kStep), load_wide(block + 3 * kStep),
+               records, size);
 }
 
 // Values of a record that a store takes.
@@ -138,18 +137,21 @@ constexpr std::size_t kTilesOfSlab = sizeof(T) == sizeof(float) ? 2 : 3;
 // Keeps stores in their order: those that continue each other are faster.
 [[gnu::always_inline]] inline void keep_order() { asm volatile("" ::: "memory"); }
 
-// So many tiles of kTaken lanes of a block -> records of `size` values, record by record. alone: the column before, which
-// no tile holds; null: none.
-template <std::size_t Count>
-[[gnu::always_inline]] inline void join_slab(const float* block, const float* alone, float* records, std::size_t size) {
+// So many tiles of kTaken lanes -> records of `size` values, record by record. columns(k): column k, a Wide. alone: the
+// column before, which no tile holds, as an array; null: none.
+template <std::size_t Count, class Columns>
+[[gnu::always_inline]] inline void join_slab(const Columns& columns, const float* alone, float* records,
+                                             std::size_t size) {
   Tiles left[Count];
-  constexpr std::size_t kStep = kBlock<float>;
+  const auto tile = [&](std::size_t k) __attribute__((always_inline)) {
+    return transposed(columns(k), columns(k + 1), columns(k + 2), columns(k + 3));
+  };
 #if defined(__AVX2__)
   Tiles right[Count];
 #pragma GCC unroll 8
   for (std::size_t t = 0; t < Count; ++t) {
-    left[t] = load_tiles(block + 8 * t * kStep);
-    right[t] = load_tiles(block + (8 * t + 4) * kStep);
+    left[t] = tile(8 * t);
+    right[t] = tile(8 * t + 4);
   }
 #pragma GCC unroll 8
   for (std::size_t i = 0; i < 4; ++i) {
@@ -173,7 +175,7 @@ template <std::size_t Count>
   }
 #else
 #pragma GCC unroll 8
-  for (std::size_t t = 0; t < Count; ++t) left[t] = load_tiles(block + 4 * t * kStep);
+  for (std::size_t t = 0; t < Count; ++t) left[t] = tile(4 * t);
 #pragma GCC unroll 8
   for (std::size_t i = 0; i < 4; ++i) {
     if (alone != nullptr) records[-1] = alone[i];
@@ -185,17 +187,19 @@ template <std::size_t Count>
 #endif
 }
 
+// The columns of a block from one on.
+inline auto columns_of(const float* block) {
+  return [block](std::size_t k) __attribute__((always_inline)) { return load_wide(block + k * kBlock<float>); };
+}
+
 // A tile of double: kSide rows, `step` values apart, as columns.
 #if defined(__AVX2__)
 using Doubles = double __attribute__((vector_size(32)));
 struct DoubleTile {
   Doubles v[4];
 };
-[[gnu::always_inline]] inline DoubleTile load_tile(const double* from, std::size_t step) {
-  const Doubles r0 = _mm256_loadu_pd(from);
-  const Doubles r1 = _mm256_loadu_pd(from + step);
-  const Doubles r2 = _mm256_loadu_pd(from + 2 * step);
-  const Doubles r3 = _mm256_loadu_pd(from + 3 * step);
+[[gnu::always_inline]] inline DoubleTile transposed(const Doubles& r0, const Doubles& r1, const Doubles& r2,
+                                                    const Doubles& r3) {
   const Doubles a = __builtin_shufflevector(r0, r1, 0, 4, 2, 6);
   const Doubles b = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
   const Doubles c = __builtin_shufflevector(r2, r3, 0, 4, 2, 6);
@@ -203,28 +207,45 @@ struct DoubleTile {
   return {{__builtin_shufflevector(a, c, 0, 1, 4, 5), __builtin_shufflevector(b, d, 0, 1, 4, 5),
            __builtin_shufflevector(a, c, 2, 3, 6, 7), __builtin_shufflevector(b, d, 2, 3, 6, 7)}};
 }
+inline Doubles load_doubles(const double* from) { return _mm256_loadu_pd(from); }
+[[gnu::always_inline]] inline DoubleTile load_tile(const double* from, std::size_t step) {
+  return transposed(load_doubles(from), load_doubles(from + step), load_doubles(from + 2 * step),
+                    load_doubles(from + 3 * step));
+}
 inline void store(double* to, const Doubles& v) { _mm256_storeu_pd(to, v); }
 #else
+using Doubles = Two;
 struct DoubleTile {
   Two v[2];
 };
-[[gnu::always_inline]] inline DoubleTile load_tile(const double* from, std::size_t step) {
-  Two r0, r1;
-  std::memcpy(&r0, from, sizeof r0);
-  std::memcpy(&r1, from + step, sizeof r1);
+[[gnu::always_inline]] inline DoubleTile transposed(const Two& r0, const Two& r1) {
   return {{__builtin_shufflevector(r0, r1, 0, 2), __builtin_shufflevector(r0, r1, 1, 3)}};
+}
+inline Two load_doubles(const double* from) {
+  Two v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
+[[gnu::always_inline]] inline DoubleTile load_tile(const double* from, std::size_t step) {
+  return transposed(load_doubles(from), load_doubles(from + step));
 }
 inline void store(double* to, const Two& v) { std::memcpy(to, &v, sizeof v); }
 #endif
 
-template <std::size_t Count>
-[[gnu::always_inline]] inline void join_slab(const double* block, const double* alone, double* records,
+template <std::size_t Count, class Columns>
+[[gnu::always_inline]] inline void join_slab(const Columns& columns, const double* alone, double* records,
                                              std::size_t size) {
-  constexpr std::size_t kStep = kBlock<double>;
   constexpr std::size_t kTile = kSide<double>;
   DoubleTile tiles[Count];
 #pragma GCC unroll 8
-  for (std::size_t t = 0; t < Count; ++t) tiles[t] = load_tile(block + kTile * t * kStep, kStep);
+  for (std::size_t t = 0; t < Count; ++t) {
+    const std::size_t k = kTile * t;
+#if defined(__AVX2__)
+    tiles[t] = transposed(columns(k), columns(k + 1), columns(k + 2), columns(k + 3));
+#else
+    tiles[t] = transposed(columns(k), columns(k + 1));
+#endif
+  }
 #pragma GCC unroll 8
   for (std::size_t i = 0; i < kTile; ++i) {
     if (alone != nullptr) records[-1] = alone[i];
@@ -234,59 +255,76 @@ template <std::size_t Count>
     records += size;
   }
 }
+inline auto columns_of(const double* block) {
+  return [block](std::size_t k) __attribute__((always_inline)) { return load_doubles(block + k * kBlock<double>); };
+}
 
+inline DoubleTile load_columns(const double* records, std::size_t size) { return load_tile(records, size); }
 inline void spread_records(const double* records, std::size_t size, double* block) {
   const DoubleTile columns = load_tile(records, size);
 #pragma GCC unroll 4
   for (std::size_t k = 0; k < kSide<double>; ++k) store(block + k * kBlock<double>, columns.v[k]);
 }
 inline void join_records(const double* block, double* records, std::size_t size) {
-  join_slab<1>(block, nullptr, records, size);
+  join_slab<1>(columns_of(block), nullptr, records, size);
 }
 
-// Whether spread_triples takes records of three values, kTaken of them; elsewhere rows of a transpose serve.
+// Whether load_triples takes records of three values, kTaken of them; elsewhere rows of a transpose serve.
+struct Triple {
+  Wide x, y, z;
+};
 #if defined(__AVX2__)
 template <class T>
 constexpr bool kHasTriples = true;
 
-inline void spread_triples(const float* records, float* block) {
+inline Triple load_triples(const float* records) {
   const Wide r0 = load_wide(records);
   const Wide r1 = load_wide(records + 8);
   const Wide r2 = load_wide(records + 16);
   const Wide x = _mm256_blend_ps(_mm256_blend_ps(r0, r1, 0x92), r2, 0x24);  // 0 9 18 3 12 21 6 15
   const Wide y = _mm256_blend_ps(_mm256_blend_ps(r0, r1, 0x24), r2, 0x49);  // 16 1 10 19 4 13 22 7
   const Wide z = _mm256_blend_ps(_mm256_blend_ps(r0, r1, 0x49), r2, 0x92);  // 8 17 2 11 20 5 14 23
-  store(block, __builtin_shufflevector(x, x, 0, 3, 6, 1, 4, 7, 2, 5));
-  store(block + kBlock<float>, __builtin_shufflevector(y, y, 1, 4, 7, 2, 5, 0, 3, 6));
-  store(block + 2 * kBlock<float>, __builtin_shufflevector(z, z, 2, 5, 0, 3, 6, 1, 4, 7));
+  return {__builtin_shufflevector(x, x, 0, 3, 6, 1, 4, 7, 2, 5), __builtin_shufflevector(y, y, 1, 4, 7, 2, 5, 0, 3, 6),
+          __builtin_shufflevector(z, z, 2, 5, 0, 3, 6, 1, 4, 7)};
 }
-inline void spread_triples(const double* records, double* block) {
+struct DoubleTriple {
+  Doubles x, y, z;
+};
+inline DoubleTriple load_triples(const double* records) {
   const __m256d r0 = _mm256_loadu_pd(records);
   const __m256d r1 = _mm256_loadu_pd(records + 4);
   const __m256d r2 = _mm256_loadu_pd(records + 8);
-  const __m256d first = _mm256_permute2f128_pd(r0, r1, 0x30);                           // 0 1 6 7
-  const __m256d second = _mm256_permute2f128_pd(r0, r2, 0x21);                          // 2 3 8 9
-  const __m256d third = _mm256_permute2f128_pd(r1, r2, 0x30);                           // 4 5 10 11
-  _mm256_storeu_pd(block, _mm256_shuffle_pd(first, second, 0xa));                       // 0 3 6 9
-  _mm256_storeu_pd(block + kBlock<double>, _mm256_shuffle_pd(first, third, 0x5));       // 1 4 7 10
-  _mm256_storeu_pd(block + 2 * kBlock<double>, _mm256_shuffle_pd(second, third, 0xa));  // 2 5 8 11
+  const __m256d first = _mm256_permute2f128_pd(r0, r1, 0x30);   // 0 1 6 7
+  const __m256d second = _mm256_permute2f128_pd(r0, r2, 0x21);  // 2 3 8 9
+  const __m256d third = _mm256_permute2f128_pd(r1, r2, 0x30);   // 4 5 10 11
+  return {_mm256_shuffle_pd(first, second, 0xa),                // 0 3 6 9
+          _mm256_shuffle_pd(first, third, 0x5),                 // 1 4 7 10
+          _mm256_shuffle_pd(second, third, 0xa)};               // 2 5 8 11
 }
 #else
 template <class T>
 constexpr bool kHasTriples = sizeof(T) == sizeof(float);
 
-inline void spread_triples(const float* records, float* block) {
+inline Triple load_triples(const float* records) {
   const Four r0 = load(records);
   const Four r1 = load(records + 4);
   const Four r2 = load(records + 8);
   const Four a = __builtin_shufflevector(r0, r1, 0, 3, 6, 6);
   const Four b = __builtin_shufflevector(r0, r1, 1, 4, 7, 7);
   const Four c = __builtin_shufflevector(r0, r1, 2, 5, 5, 5);
-  store(block, __builtin_shufflevector(a, r2, 0, 1, 2, 5));
-  store(block + kBlock<float>, __builtin_shufflevector(b, r2, 0, 1, 2, 6));
-  store(block + 2 * kBlock<float>, __builtin_shufflevector(c, r2, 0, 1, 4, 7));
+  return {__builtin_shufflevector(a, r2, 0, 1, 2, 5), __builtin_shufflevector(b, r2, 0, 1, 2, 6),
+          __builtin_shufflevector(c, r2, 0, 1, 4, 7)};
 }
 #endif
+
+// kTaken records of three values -> a part of a block.
+template <class T>
+inline void spread_triples(const T* records, T* block) {
+  const auto columns = load_triples(records);
+  store(block, columns.x);
+  store(block + kBlock<T>, columns.y);
+  store(block + 2 * kBlock<T>, columns.z);
+}
 
 // Three values of kWide records -> the records.
 inline void store_triples(const Wide& a, const Wide& b, const Wide& c, float* records) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -125,8 +126,9 @@ template <class T, class Run>
 void expect_same_in_small_calls(std::size_t n, std::size_t size, const std::string& what, const Run& run) {
   std::vector<T> all(n * size);
   run(n, 0, all.data());
-  // 37 is whole blocks and 5 records.
-  for (const std::size_t few : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{7}, std::size_t{37}}) {
+  // 37 is whole blocks and 5 records; the others are parts of groups, and groups and parts.
+  constexpr std::array<std::size_t, 13> kFew{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 15, 37};
+  for (const std::size_t few : kFew) {
     std::vector<T> parts(n * size);
     for (std::size_t i = 0; i < n; i += few) run(std::min(few, n - i), i, parts.data() + i * size);
     EXPECT_EQ(parts, all) << what << ", " << few << " records at a time";
@@ -191,20 +193,23 @@ TYPED_TEST(BatchDrivers, WriteOverAnInputOfTheSameShape) {
   for (const Subject<T>& subject : subjects<T>()) {
     for (std::size_t j = 0; j < subject.in.size(); ++j) {
       if (subject.in[j] != subject.out) continue;
-      const auto inputs = random_inputs(subject, batch::kBlock<T> + 3);
-      on_every_set([&] {
-        for (const Layout layout : {Layout::kPlain, Layout::kBlocked}) {
-          const std::vector<Place> places(inputs.size() + 1, Place{layout, 0});
-          std::vector<Array<T>> arrays;
-          std::array<Records<const T>, kMostInputs> in;
-          for (std::size_t i = 0; i < inputs.size(); ++i) {
-            arrays.emplace_back(places[i], inputs[i], subject.in[i]);
-            in[i] = arrays[i].records();
+      for (const std::size_t n :
+           {std::size_t{2}, std::size_t{3}, std::size_t{7}, batch::kBlock<T> + 1, batch::kBlock<T> + 3}) {
+        const auto inputs = random_inputs(subject, n);
+        on_every_set([&] {
+          for (const Layout layout : {Layout::kPlain, Layout::kBlocked}) {
+            const std::vector<Place> places(inputs.size() + 1, Place{layout, 0});
+            std::vector<Array<T>> arrays;
+            std::array<Records<const T>, kMostInputs> in;
+            for (std::size_t i = 0; i < inputs.size(); ++i) {
+              arrays.emplace_back(places[i], inputs[i], subject.in[i]);
+              in[i] = arrays[i].records();
+            }
+            subject.run(inputs[0].size(), in, arrays[j].records());
+            EXPECT_EQ(arrays[j].read(), run(subject, inputs, places)) << subject.name << " " << subject.degree;
           }
-          subject.run(inputs[0].size(), in, arrays[j].records());
-          EXPECT_EQ(arrays[j].read(), run(subject, inputs, places)) << subject.name << " " << subject.degree;
-        }
-      });
+        });
+      }
     }
   }
 }
