@@ -112,9 +112,9 @@ std::vector<Family> evaluate_families() {
        .recipes = {{"columns", recipes::evaluate_rgb_columns}, {"sum", recipes::evaluate_rgb_sum}},
        .reference = [](int degree, int points) { return evaluate_reference(degree, points, 3); },
        .domain = evaluation_domain(3),
-       .batch =
-           BatchDriver{
-               .what = "Colours given by coefficients, channel by channel, at directions", .half = true, .groups = true}},
+       .batch = BatchDriver{.what = "Colours given by coefficients, channel by channel, at directions",
+                            .half = true,
+                            .groups = true}},
       {.name = "evaluate_prepare",
        .recipes = {{"by-order", recipes::evaluate_prepare}},
        .reference = prepare_reference,
