@@ -98,16 +98,16 @@ $declarations
                 {{"stamp", kStamp}, {"declarations", declarations}});
 }
 
-// The way of plain records that needs no driver; empty if there is none.
-std::string plain_call(const Driver& driver, const Overload& types) {
+// The way that needs no driver; empty if there is none.
+std::string direct_call(const Driver& driver, const Overload& types) {
   if (!driver.spec.groups || types.first == "Half") return {};
   std::string inputs;
   for (const Record& record : signature_of(driver.last()).inputs) inputs += ", " + record.name;
-  return filled(R"(  static constexpr const detail::RecordKernel<$t>* kPlain[] = SH_BATCH_EVERY($table);
-  if (detail::run_plain(kPlain, degree, $degree, n, $out$inputs)) return;
+  return filled(R"(  static constexpr const detail::DirectKernels<$t>* kDirect[] = SH_BATCH_EVERY($table);
+  if (detail::run_direct(kDirect, degree, $degree, n, $out$inputs)) return;
 )",
                 {{"t", types.scalar},
-                 {"table", table_of_records(driver, types.scalar)},
+                 {"table", table_of_direct(driver, types.scalar)},
                  {"degree", std::to_string(driver.last().degree)},
                  {"out", signature_of(driver.last()).out},
                  {"inputs", inputs}});
@@ -126,12 +126,12 @@ std::string definition(const Driver& driver, const Overload& types) {
   }
   return filled(R"(
 $signature {
-$plain  static constexpr detail::Run<$t> kEvery[] = SH_BATCH_EVERY($name);
+$direct  static constexpr detail::Run<$t> kEvery[] = SH_BATCH_EVERY($name);
   detail::run<$t>("$name", kEvery, {degree, n, {$inputs}, $out$half}, $count, $degree, $size);
 }
 )",
                 {{"signature", public_signature(driver, types)},
-                 {"plain", plain_call(driver, types)},
+                 {"direct", direct_call(driver, types)},
                  {"t", types.scalar},
                  {"name", driver.name},
                  {"inputs", inputs},
@@ -151,8 +151,8 @@ std::string drivers_file(const std::vector<Driver>& drivers) {
       text += "template <class T>\nvoid " + driver.name + "(const detail::Call<T>& call);\n";
       for (const char* scalar : {"float", "double"}) {
         if (!driver.spec.groups) continue;
-        text += filled("extern const detail::RecordKernel<$t> $table[];\n",
-                       {{"t", scalar}, {"table", table_of_records(driver, scalar)}});
+        text += filled("extern const detail::DirectKernels<$t> $table[];\n",
+                       {{"t", scalar}, {"table", table_of_direct(driver, scalar)}});
       }
     }
     text += "}  // namespace " + std::string(isa) + "\n";

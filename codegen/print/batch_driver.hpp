@@ -58,8 +58,8 @@ struct Driver {
 /// The drivers of all families that have one.
 std::vector<Driver> drivers_of(const std::vector<WrittenFamily>& families);
 
-/// The name of the table of a driver's kernels of plain records.
-std::string table_of_records(const Driver& driver, const std::string& scalar);
+/// The name of the table of a driver's kernels that are called directly.
+std::string table_of_direct(const Driver& driver, const std::string& scalar);
 
 /// generated/batch/<driver>.cpp: the driver's kernels by degree, compiled once for each instruction set.
 std::string kernels_file(const Driver& driver);

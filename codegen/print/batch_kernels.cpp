@@ -91,7 +91,7 @@ std::string size_in_degree(int size, const Kernel& kernel) {
   return (size == count ? "" : std::to_string(size / count) + " * ") + "((Degree + 1) * (Degree + 1))";
 }
 
-// Kernels of plain records, one by one and by groups, and what chooses between them.
+// Kernels of plain records, one by one and by groups, and what chooses between them; of whole blocks.
 std::string record_kernels(const Kernel& kernel) {
   const RecordSignature s = signature_of(kernel);
   std::string inputs, sizes;
@@ -123,17 +123,23 @@ void records(const T* const* from, std::size_t n, T* to) {
   run_records<T, $size$sizes>(from, n, to, one_by_one<Degree, T>, in_groups<Degree, T>);
 }
 
+template <int Degree, class T>
+void blocks(const T* const* from, std::size_t count, T* to) {
+  kernel<Degree>(whole_blocks<T, $size$sizes>(from, count, to));
+}
+
 )",
       {{"inputs", inputs}, {"sizes", sizes}, {"size", size_in_degree(s.out_size, kernel)}, {"call", call_of(kernel)}});
 }
 
-// The kernels of plain records by degree.
-std::string record_table(const Driver& driver, const std::string& scalar) {
+// The kernels that need no driver, by degree.
+std::string direct_table(const Driver& driver, const std::string& scalar) {
   std::string text =
-      filled("extern const detail::RecordKernel<$t> $table[];\nconst detail::RecordKernel<$t> $table[] = {\n",
-             {{"t", scalar}, {"table", table_of_records(driver, scalar)}});
+      filled("extern const detail::DirectKernels<$t> $table[];\nconst detail::DirectKernels<$t> $table[] = {\n",
+             {{"t", scalar}, {"table", table_of_direct(driver, scalar)}});
   for (const FinishedKernel& finished : driver.kernels) {
-    text += filled("    records<$degree, $t>,\n", {{"degree", std::to_string(finished.kernel.degree)}, {"t", scalar}});
+    text += filled("    {records<$degree, $t>, blocks<$degree, $t>},\n",
+                   {{"degree", std::to_string(finished.kernel.degree)}, {"t", scalar}});
   }
   return text + "};\n";
 }
@@ -227,7 +233,7 @@ $runs  };
 
 }  // namespace
 
-std::string table_of_records(const Driver& driver, const std::string& scalar) { return driver.name + "_" + scalar; }
+std::string table_of_direct(const Driver& driver, const std::string& scalar) { return driver.name + "_" + scalar; }
 
 std::string kernels_file(const Driver& driver) {
   std::string includes;
@@ -275,7 +281,7 @@ $tables
        {"includes", includes},
        {"kernels", kernels + "template <class T>"},
        {"plans", plans},
-       {"tables", driver.spec.groups ? "\n" + record_table(driver, "float") + record_table(driver, "double") : ""}});
+       {"tables", driver.spec.groups ? "\n" + direct_table(driver, "float") + direct_table(driver, "double") : ""}});
 }
 
 std::string once_header(const std::vector<Driver>& drivers) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 
 #include "call.hpp"
 
@@ -47,20 +48,33 @@ void run(const char* driver, const Run<T>* every, Call<T>&& call, int inputs, in
   every[static_cast<int>(instruction_set())](call);
 }
 
-/// A call of not too many plain records, checked, at once: its kernels by instruction set and degree. False for all other
-/// calls, wrong ones and the first of all.
+/// Whether a kernel can work on the blocks as they are.
+template <class T>
+[[gnu::always_inline]] inline bool are_lines(const Records<T>& records) {
+  return records.layout == Layout::kBlocked && reinterpret_cast<std::uintptr_t>(records.data) % kLine == 0;
+}
+
+/// A call of not too many records, all plain or all in whole blocks, checked, at once: its kernels by instruction set and
+/// degree. False for all other calls, wrong ones and the first of all.
 template <class T, class... In>
-[[gnu::always_inline]] inline bool run_plain(const RecordKernel<T>* const* every, int degree, int largest_degree,
-                                             std::size_t n, const Records<T>& out, const In&... in) {
+[[gnu::always_inline]] inline bool run_direct(const DirectKernels<T>* const* every, int degree, int largest_degree,
+                                              std::size_t n, const Records<T>& out, const In&... in) {
   constexpr std::size_t kMost = 1024;  // their outputs stay in a cache
   const int set = in_use.load(std::memory_order_relaxed);
   const bool serves = set != kNotChosen && degree >= 0 && degree <= largest_degree && n - 1 < kMost &&
-                      out.layout == Layout::kPlain && out.data != nullptr &&
-                      ((in.layout == Layout::kPlain && in.data != nullptr) && ...);
+                      out.data != nullptr && ((in.data != nullptr) && ...);
   if (!serves) return false;
   const T* const arrays[] = {in.data...};
-  every[set][degree](static_cast<const T* const*>(arrays), n, out.data);
-  return true;
+  const DirectKernels<T>& kernels = every[set][degree];
+  if (out.layout == Layout::kPlain && ((in.layout == Layout::kPlain) && ...)) {
+    kernels.plain(static_cast<const T* const*>(arrays), n, out.data);
+    return true;
+  }
+  if (n % kBlock<T> == 0 && are_lines(out) && (are_lines(in) && ...)) {
+    kernels.blocks(static_cast<const T* const*>(arrays), n / kBlock<T>, out.data);
+    return true;
+  }
+  return false;
 }
 
 }  // namespace sh::batch::detail

@@ -22,9 +22,16 @@ struct Call {
   bool stream = false;         ///< write past the cache
 };
 
-/// A kernel of n plain records.
+/// A kernel of n plain records, or of n whole blocks.
 template <class T>
 using RecordKernel = void (*)(const T* const* in, std::size_t n, T* out);
+
+/// The kernels of a degree that need no driver: of plain records, and of blocks that are aligned to lines.
+template <class T>
+struct DirectKernels {
+  RecordKernel<T> plain;
+  RecordKernel<T> blocks;
+};
 
 /// Something computed once a call.
 template <class T>

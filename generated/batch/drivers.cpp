@@ -11,20 +11,20 @@ namespace sh::batch {
 namespace baseline {
 template <class T>
 void basis(const detail::Call<T>& call);
-extern const detail::RecordKernel<float> basis_float[];
-extern const detail::RecordKernel<double> basis_double[];
+extern const detail::DirectKernels<float> basis_float[];
+extern const detail::DirectKernels<double> basis_double[];
 template <class T>
 void basis_gradient(const detail::Call<T>& call);
-extern const detail::RecordKernel<float> basis_gradient_float[];
-extern const detail::RecordKernel<double> basis_gradient_double[];
+extern const detail::DirectKernels<float> basis_gradient_float[];
+extern const detail::DirectKernels<double> basis_gradient_double[];
 template <class T>
 void evaluate(const detail::Call<T>& call);
-extern const detail::RecordKernel<float> evaluate_float[];
-extern const detail::RecordKernel<double> evaluate_double[];
+extern const detail::DirectKernels<float> evaluate_float[];
+extern const detail::DirectKernels<double> evaluate_double[];
 template <class T>
 void evaluate_rgb(const detail::Call<T>& call);
-extern const detail::RecordKernel<float> evaluate_rgb_float[];
-extern const detail::RecordKernel<double> evaluate_rgb_double[];
+extern const detail::DirectKernels<float> evaluate_rgb_float[];
+extern const detail::DirectKernels<double> evaluate_rgb_double[];
 template <class T>
 void project(const detail::Call<T>& call);
 template <class T>
@@ -50,20 +50,20 @@ void relight_colored(const detail::Call<T>& call);
 namespace avx2 {
 template <class T>
 void basis(const detail::Call<T>& call);
-extern const detail::RecordKernel<float> basis_float[];
-extern const detail::RecordKernel<double> basis_double[];
+extern const detail::DirectKernels<float> basis_float[];
+extern const detail::DirectKernels<double> basis_double[];
 template <class T>
 void basis_gradient(const detail::Call<T>& call);
-extern const detail::RecordKernel<float> basis_gradient_float[];
-extern const detail::RecordKernel<double> basis_gradient_double[];
+extern const detail::DirectKernels<float> basis_gradient_float[];
+extern const detail::DirectKernels<double> basis_gradient_double[];
 template <class T>
 void evaluate(const detail::Call<T>& call);
-extern const detail::RecordKernel<float> evaluate_float[];
-extern const detail::RecordKernel<double> evaluate_double[];
+extern const detail::DirectKernels<float> evaluate_float[];
+extern const detail::DirectKernels<double> evaluate_double[];
 template <class T>
 void evaluate_rgb(const detail::Call<T>& call);
-extern const detail::RecordKernel<float> evaluate_rgb_float[];
-extern const detail::RecordKernel<double> evaluate_rgb_double[];
+extern const detail::DirectKernels<float> evaluate_rgb_float[];
+extern const detail::DirectKernels<double> evaluate_rgb_double[];
 template <class T>
 void project(const detail::Call<T>& call);
 template <class T>
@@ -89,20 +89,20 @@ void relight_colored(const detail::Call<T>& call);
 namespace avx512 {
 template <class T>
 void basis(const detail::Call<T>& call);
-extern const detail::RecordKernel<float> basis_float[];
-extern const detail::RecordKernel<double> basis_double[];
+extern const detail::DirectKernels<float> basis_float[];
+extern const detail::DirectKernels<double> basis_double[];
 template <class T>
 void basis_gradient(const detail::Call<T>& call);
-extern const detail::RecordKernel<float> basis_gradient_float[];
-extern const detail::RecordKernel<double> basis_gradient_double[];
+extern const detail::DirectKernels<float> basis_gradient_float[];
+extern const detail::DirectKernels<double> basis_gradient_double[];
 template <class T>
 void evaluate(const detail::Call<T>& call);
-extern const detail::RecordKernel<float> evaluate_float[];
-extern const detail::RecordKernel<double> evaluate_double[];
+extern const detail::DirectKernels<float> evaluate_float[];
+extern const detail::DirectKernels<double> evaluate_double[];
 template <class T>
 void evaluate_rgb(const detail::Call<T>& call);
-extern const detail::RecordKernel<float> evaluate_rgb_float[];
-extern const detail::RecordKernel<double> evaluate_rgb_double[];
+extern const detail::DirectKernels<float> evaluate_rgb_float[];
+extern const detail::DirectKernels<double> evaluate_rgb_double[];
 template <class T>
 void project(const detail::Call<T>& call);
 template <class T>
@@ -126,43 +126,43 @@ void relight_colored(const detail::Call<T>& call);
 }  // namespace avx512
 
 void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
-  static constexpr const detail::RecordKernel<float>* kPlain[] = SH_BATCH_EVERY(basis_float);
-  if (detail::run_plain(kPlain, degree, 10, n, out, directions)) return;
+  static constexpr const detail::DirectKernels<float>* kDirect[] = SH_BATCH_EVERY(basis_float);
+  if (detail::run_direct(kDirect, degree, 10, n, out, directions)) return;
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(basis);
   detail::run<float>("basis", kEvery, {degree, n, {directions}, out}, 1, 10, {1, 0});
 }
 
 void basis(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
-  static constexpr const detail::RecordKernel<double>* kPlain[] = SH_BATCH_EVERY(basis_double);
-  if (detail::run_plain(kPlain, degree, 10, n, out, directions)) return;
+  static constexpr const detail::DirectKernels<double>* kDirect[] = SH_BATCH_EVERY(basis_double);
+  if (detail::run_direct(kDirect, degree, 10, n, out, directions)) return;
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(basis);
   detail::run<double>("basis", kEvery, {degree, n, {directions}, out}, 1, 10, {1, 0});
 }
 
 void basis_gradient(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
-  static constexpr const detail::RecordKernel<float>* kPlain[] = SH_BATCH_EVERY(basis_gradient_float);
-  if (detail::run_plain(kPlain, degree, 10, n, out, directions)) return;
+  static constexpr const detail::DirectKernels<float>* kDirect[] = SH_BATCH_EVERY(basis_gradient_float);
+  if (detail::run_direct(kDirect, degree, 10, n, out, directions)) return;
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(basis_gradient);
   detail::run<float>("basis_gradient", kEvery, {degree, n, {directions}, out}, 1, 10, {4, 0});
 }
 
 void basis_gradient(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
-  static constexpr const detail::RecordKernel<double>* kPlain[] = SH_BATCH_EVERY(basis_gradient_double);
-  if (detail::run_plain(kPlain, degree, 10, n, out, directions)) return;
+  static constexpr const detail::DirectKernels<double>* kDirect[] = SH_BATCH_EVERY(basis_gradient_double);
+  if (detail::run_direct(kDirect, degree, 10, n, out, directions)) return;
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(basis_gradient);
   detail::run<double>("basis_gradient", kEvery, {degree, n, {directions}, out}, 1, 10, {4, 0});
 }
 
 void evaluate(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
-  static constexpr const detail::RecordKernel<float>* kPlain[] = SH_BATCH_EVERY(evaluate_float);
-  if (detail::run_plain(kPlain, degree, 10, n, out, c, directions)) return;
+  static constexpr const detail::DirectKernels<float>* kDirect[] = SH_BATCH_EVERY(evaluate_float);
+  if (detail::run_direct(kDirect, degree, 10, n, out, c, directions)) return;
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(evaluate);
   detail::run<float>("evaluate", kEvery, {degree, n, {c, directions}, out}, 2, 10, {0, 1});
 }
 
 void evaluate(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
-  static constexpr const detail::RecordKernel<double>* kPlain[] = SH_BATCH_EVERY(evaluate_double);
-  if (detail::run_plain(kPlain, degree, 10, n, out, c, directions)) return;
+  static constexpr const detail::DirectKernels<double>* kDirect[] = SH_BATCH_EVERY(evaluate_double);
+  if (detail::run_direct(kDirect, degree, 10, n, out, c, directions)) return;
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(evaluate);
   detail::run<double>("evaluate", kEvery, {degree, n, {c, directions}, out}, 2, 10, {0, 1});
 }
@@ -173,15 +173,15 @@ void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const fl
 }
 
 void evaluate_rgb(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
-  static constexpr const detail::RecordKernel<float>* kPlain[] = SH_BATCH_EVERY(evaluate_rgb_float);
-  if (detail::run_plain(kPlain, degree, 10, n, out, c, directions)) return;
+  static constexpr const detail::DirectKernels<float>* kDirect[] = SH_BATCH_EVERY(evaluate_rgb_float);
+  if (detail::run_direct(kDirect, degree, 10, n, out, c, directions)) return;
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(evaluate_rgb);
   detail::run<float>("evaluate_rgb", kEvery, {degree, n, {c, directions}, out}, 2, 10, {0, 3});
 }
 
 void evaluate_rgb(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
-  static constexpr const detail::RecordKernel<double>* kPlain[] = SH_BATCH_EVERY(evaluate_rgb_double);
-  if (detail::run_plain(kPlain, degree, 10, n, out, c, directions)) return;
+  static constexpr const detail::DirectKernels<double>* kDirect[] = SH_BATCH_EVERY(evaluate_rgb_double);
+  if (detail::run_direct(kDirect, degree, 10, n, out, c, directions)) return;
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(evaluate_rgb);
   detail::run<double>("evaluate_rgb", kEvery, {degree, n, {c, directions}, out}, 2, 10, {0, 3});
 }

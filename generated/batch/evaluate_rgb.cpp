@@ -38,6 +38,11 @@ void records(const T* const* from, std::size_t n, T* to) {
   run_records<T, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(from, n, to, one_by_one<Degree, T>, in_groups<Degree, T>);
 }
 
+template <int Degree, class T>
+void blocks(const T* const* from, std::size_t count, T* to) {
+  kernel<Degree>(whole_blocks<T, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(from, count, to));
+}
+
 #if defined(SH_BATCH_CONVERTS_HALVES)
 template <int Degree, int Size>
 [[gnu::flatten]] void kernel_half(const Blocks<float>& blocks) {
@@ -77,33 +82,33 @@ void evaluate_rgb(const detail::Call<T>& call) {
 template void evaluate_rgb(const detail::Call<float>&);
 template void evaluate_rgb(const detail::Call<double>&);
 
-extern const detail::RecordKernel<float> evaluate_rgb_float[];
-const detail::RecordKernel<float> evaluate_rgb_float[] = {
-    records<0, float>,
-    records<1, float>,
-    records<2, float>,
-    records<3, float>,
-    records<4, float>,
-    records<5, float>,
-    records<6, float>,
-    records<7, float>,
-    records<8, float>,
-    records<9, float>,
-    records<10, float>,
+extern const detail::DirectKernels<float> evaluate_rgb_float[];
+const detail::DirectKernels<float> evaluate_rgb_float[] = {
+    {records<0, float>, blocks<0, float>},
+    {records<1, float>, blocks<1, float>},
+    {records<2, float>, blocks<2, float>},
+    {records<3, float>, blocks<3, float>},
+    {records<4, float>, blocks<4, float>},
+    {records<5, float>, blocks<5, float>},
+    {records<6, float>, blocks<6, float>},
+    {records<7, float>, blocks<7, float>},
+    {records<8, float>, blocks<8, float>},
+    {records<9, float>, blocks<9, float>},
+    {records<10, float>, blocks<10, float>},
 };
-extern const detail::RecordKernel<double> evaluate_rgb_double[];
-const detail::RecordKernel<double> evaluate_rgb_double[] = {
-    records<0, double>,
-    records<1, double>,
-    records<2, double>,
-    records<3, double>,
-    records<4, double>,
-    records<5, double>,
-    records<6, double>,
-    records<7, double>,
-    records<8, double>,
-    records<9, double>,
-    records<10, double>,
+extern const detail::DirectKernels<double> evaluate_rgb_double[];
+const detail::DirectKernels<double> evaluate_rgb_double[] = {
+    {records<0, double>, blocks<0, double>},
+    {records<1, double>, blocks<1, double>},
+    {records<2, double>, blocks<2, double>},
+    {records<3, double>, blocks<3, double>},
+    {records<4, double>, blocks<4, double>},
+    {records<5, double>, blocks<5, double>},
+    {records<6, double>, blocks<6, double>},
+    {records<7, double>, blocks<7, double>},
+    {records<8, double>, blocks<8, double>},
+    {records<9, double>, blocks<9, double>},
+    {records<10, double>, blocks<10, double>},
 };
 
 }  // namespace sh::batch::SH_BATCH_ISA

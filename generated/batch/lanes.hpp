@@ -162,6 +162,18 @@ template <class T>
 template <class T>
 using BlockKernel = void (*)(const Blocks<T>&);
 
+// `count` whole blocks of records of In values each, to records of Out values.
+template <class T, std::size_t Out, std::size_t... In>
+[[gnu::always_inline]] inline Blocks<T> whole_blocks(const T* const* from, std::size_t count, T* to) {
+  Blocks<T> blocks;
+  std::size_t j = 0;
+  ((blocks.in[j] = from[j], blocks.step[j++] = In * kBlock<T>), ...);
+  blocks.out = to;
+  blocks.out_step = Out * kBlock<T>;
+  blocks.count = count;
+  return blocks;
+}
+
 // Calls kernel(in, out) for every register of every block; in[j] and out are arrays of Lanes, one a value.
 template <int Inputs, class T, class Kernel>
 [[gnu::always_inline]] inline void for_every_register(const Blocks<T>& blocks, const Kernel& kernel) {

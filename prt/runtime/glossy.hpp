@@ -45,8 +45,10 @@ class TransferredRadiance {
   [[nodiscard]] const float* at(std::size_t vertex) const { return values_.data() + vertex * stride_; }
   /// The same between receivers, into `out`.
   void at(const ReceiversAt& place, float* out) const;
-  /// The same between the points of a grid.
-  void at(const GridCell& cell, float* out) const { cell.mix(values_.data(), stride_, out); }
+  /// The same between the points of a grid, times factors (3, bands^2) if there are any.
+  void at(const GridCell& cell, float* out, const float* factors = nullptr) const {
+    cell.mix(values_.data(), stride_, out, factors);
+  }
 
  private:
   TransferredRadiance() = default;

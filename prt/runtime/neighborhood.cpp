@@ -77,9 +77,7 @@ void shade_diffuse(const PointGrid& grid, const TransferredRadiance& reaching,
     for (std::size_t first = all.begin(); first < all.end(); first += kReceiversAtOnce) {
       const std::size_t some = std::min(kReceiversAtOnce, all.end() - first);
       for (std::size_t v = 0; v < some; ++v) {
-        float* own = &between[v * count];
-        reaching.at(GridCell(grid, positions[first + v].cast<double>()), own);
-        as_array(own, count) *= as_array(factors);
+        reaching.at(GridCell(grid, positions[first + v].cast<double>()), &between[v * count], factors.data());
       }
       batch::evaluate_rgb(degree, some, batch::plain(std::as_const(between).data()),
                           batch::plain(normals[first].data()), batch::plain(radiance[first].data()));

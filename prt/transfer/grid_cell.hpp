@@ -16,8 +16,9 @@ struct GridCell {
   std::array<std::size_t, 8> corners;
   std::array<float, 8> weights;  // sum 1
 
-  /// out (length) = the rows (points, length) of the corners, interpolated. The same bits on every machine.
-  void mix(const float* rows, std::size_t length, float* out) const;
+  /// out (length) = the rows (points, length) of the corners, interpolated, times factors (length) if there are any. The
+  /// same bits on every machine.
+  void mix(const float* rows, std::size_t length, float* out, const float* factors = nullptr) const;
   /// The same of rows that may be stored.
   void mix(const Rows& rows, float* out) const;
 };

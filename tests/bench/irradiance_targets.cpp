@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "generated/cpp/evaluate_prepare.hpp"
+#include "generated/cpp/evaluate_prepared.hpp"
+#include "generated/cpp/irradiance.hpp"
 #include "generated/cpp/irradiance_evaluate.hpp"
 #include "generated/cpp/irradiance_zh3.hpp"
 #include "generated/cpp/project.hpp"
@@ -87,6 +90,84 @@ Error error_of(const Method& method, const std::vector<PointLights>& sets, const
   return error;
 }
 
+// Degree 2 in RGB as engines pack it, seven vectors of four numbers: four for the constant and linear part of each channel
+// and two products each, with the last product (x^2 - y^2) of all channels (P.-P. Sloan, "Stupid Spherical Harmonics (SH)
+// Tricks", GDC 2008, appendix A10). T: float, or lanes of it.
+struct Packed {
+  std::array<std::array<float, 4>, 3> linear, quadratic;
+  std::array<float, 3> last;
+};
+
+Packed packed(const float* c) {  // (3, 9), of radiance
+  Packed p;
+  const float k0 = 0.28209479F * 3.14159265F, k1 = 0.48860251F * 2.0943951F, k2 = 1.0925485F * 0.78539816F;
+  for (std::size_t channel = 0; channel < 3; ++channel, c += kNine) {
+    const float square = 0.31539157F * 0.78539816F * c[6];
+    p.linear[channel] = {k1 * c[3], k1 * c[1], k1 * c[2], k0 * c[0] - square};
+    p.quadratic[channel] = {k2 * c[4], k2 * c[5], 3 * square, k2 * c[7]};
+    p.last[channel] = 0.54627422F * 0.78539816F * c[8];
+  }
+  return p;
+}
+
+template <class T>
+[[gnu::always_inline]] inline void evaluate_packed(const Packed& p, T x, T y, T z, T* rgb) {
+  const T xy = x * y, yz = y * z, zz = z * z, zx = z * x, difference = x * x - y * y;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const T linear = T(p.linear[i][0]) * x + T(p.linear[i][1]) * y + T(p.linear[i][2]) * z + T(p.linear[i][3]);
+    const T quadratic =
+        T(p.quadratic[i][0]) * xy + T(p.quadratic[i][1]) * yz + T(p.quadratic[i][2]) * zz + T(p.quadratic[i][3]) * zx;
+    rgb[i] = linear + quadratic + T(p.last[i]) * difference;
+  }
+}
+
+// One light in RGB at many normals, one by one and in lanes.
+template <class T, class Evaluate>
+std::function<void()> at_normals(const float* normals, std::size_t n, float* out, const Evaluate& evaluate) {
+  return [normals, n, out, evaluate] {
+    constexpr std::size_t kLanes = sizeof(T) / sizeof(float);
+    for (std::size_t i = 0; i < n / kLanes; ++i) {
+      const T* const d = reinterpret_cast<const T*>(normals) + 3 * i;
+      evaluate(d[0], d[1], d[2], reinterpret_cast<T*>(out) + 3 * i);
+    }
+    keep(*out);
+  };
+}
+
+void degree_two(Table& table) {
+  table.section("Irradiance of degree 2 in RGB, one light at many normals, ns a normal",
+                "irradiance and evaluate_prepare once; control: the packed form of engines");
+  constexpr std::size_t kCount = 1024;
+  const std::vector<float> normals = random_directions(kCount);
+  const Buffer<float> blocks = to_blocks(normals, 3);
+  const std::vector<float> c = random_vectors(3, kNine);
+  const Packed form = packed(c.data());
+  const Buffer<float> out = make_buffer<float>(3 * kCount);
+  std::array<float, 3 * kNine> prepared;  // irradiance, and its polynomial, once a light
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    std::array<float, kNine> own;
+    std::copy_n(&c[channel * kNine], kNine, own.begin());
+    sh::irradiance<2>(own.data());
+    sh::evaluate_prepare<2>(own.data(), &prepared[channel * kNine]);
+  }
+  const auto ours = [&prepared](auto x, auto y, auto z, auto* rgb) {
+    using T = decltype(x);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      std::array<T, kNine> own;
+      for (std::size_t i = 0; i < kNine; ++i) own[i] = T(prepared[channel * kNine + i]);
+      rgb[channel] = sh::evaluate_prepared<2>(own.data(), x, y, z);
+    }
+  };
+  const auto theirs = [&form](auto x, auto y, auto z, auto* rgb) { evaluate_packed(form, x, y, z, rgb); };
+  const std::vector<double> t = least_times({at_normals<float>(normals.data(), kCount, out.get(), ours),
+                                             at_normals<float>(normals.data(), kCount, out.get(), theirs),
+                                             at_normals<Sixteen>(blocks.get(), kCount, out.get(), ours),
+                                             at_normals<Sixteen>(blocks.get(), kCount, out.get(), theirs)});
+  const double ns = 1e9 / kCount;
+  table.ratio("one by one", "ns", t[0] * ns, t[1] * ns, "packed", 0.9);
+  table.ratio("in 16 lanes", "ns", t[2] * ns, t[3] * ns, "packed", 0.9);
+}
+
 }  // namespace
 
 void irradiance(Table& table) {
@@ -131,6 +212,7 @@ void irradiance(Table& table) {
   table.ratio("degree 1, ZH3", "ns", t[2] * ns, t[3] * ns, "degree 2", 1.5);
   table.ratio("degree 1, ZH3", "ns", t[2] * ns, t[1] * ns, "Hazel", 1.0);
   table.remark("  degree 1 takes " + std::to_string(t[0] * ns) + " ns");
+  degree_two(table);
 }
 
 }  // namespace sh::bench

@@ -93,17 +93,19 @@ TYPED_TEST(BatchDrivers, EqualTheirKernelsForEveryLengthAndWriteNothingElse) {
 TYPED_TEST(BatchDrivers, GiveTheSameBitsInEveryLayoutAndAlignment) {
   using T = TypeParam;
   for (const Subject<T>& subject : subjects<T>()) {
-    const auto inputs = random_inputs(subject, 3 * batch::kBlock<T> + 5);
-    on_every_set([&] {
-      const auto plain = run(subject, inputs, std::vector<Place>(inputs.size() + 1));
-      for (const Place in : {Place{Layout::kPlain, 1}, Place{Layout::kBlocked, 0}, Place{Layout::kBlocked, 3}}) {
-        for (const Place out : {Place{Layout::kPlain, 1}, Place{Layout::kBlocked, 0}, Place{Layout::kBlocked, 5}}) {
-          std::vector<Place> places(inputs.size(), in);
-          places.push_back(out);
-          EXPECT_EQ(run(subject, inputs, places), plain) << subject.name << " " << subject.degree;
+    for (const std::size_t n : {2 * batch::kBlock<T>, 3 * batch::kBlock<T> + 5}) {
+      const auto inputs = random_inputs(subject, n);
+      on_every_set([&] {
+        const auto plain = run(subject, inputs, std::vector<Place>(inputs.size() + 1));
+        for (const Place in : {Place{Layout::kPlain, 1}, Place{Layout::kBlocked, 0}, Place{Layout::kBlocked, 3}}) {
+          for (const Place out : {Place{Layout::kPlain, 1}, Place{Layout::kBlocked, 0}, Place{Layout::kBlocked, 5}}) {
+            std::vector<Place> places(inputs.size(), in);
+            places.push_back(out);
+            EXPECT_EQ(run(subject, inputs, places), plain) << subject.name << " " << subject.degree;
+          }
         }
-      }
-    });
+      });
+    }
   }
 }
 
