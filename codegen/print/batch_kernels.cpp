@@ -29,11 +29,13 @@ std::string scalar_products(const Kernel& kernel) {
                                           {"length", std::to_string(length)}});
 }
 
-// The kernel of scalar products that takes plain records; empty if there is none.
+// The kernels of scalar products that take plain records, of float and of halves; empty if there are none.
 std::string records_kernel(const Driver& driver, const Kernel& kernel) {
   constexpr int kLeast = 4;  // values of a row that multiply_records takes
   if (!driver.spec.scalar_products || numeric::coefficient_count(kernel.degree) < kLeast) return {};
-  return "float_only<T>(multiply_records<" + scalar_products(kernel) + ">)";
+  const std::string products = scalar_products(kernel);
+  return "float_only<T>(multiply_records<" + products + ", float>), float_only<T>(multiply_records<" + products +
+         ", Half>)";
 }
 
 // The place of the input that serves all records; -1: there is none.
@@ -179,7 +181,7 @@ std::string plan_row(const Driver& driver, std::size_t i) {
   std::string shared;
   if (shared_input(s) >= 0) shared = ", " + std::to_string(shared_input(s));
   if (!records.empty()) shared += ", " + records;
-  if (driver.spec.groups) shared = ", -1, nullptr, records" + at_degree + ", T>";
+  if (driver.spec.groups) shared = ", -1, nullptr, nullptr, records" + at_degree + ", T>";
   return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish$shared},\n",
                 {{"inputs", std::to_string(s.inputs.size())},
                  {"sizes", sizes},

@@ -63,8 +63,10 @@ class Driver {
 
   // Whether a kernel takes whole blocks of input 0 record by record, and writes records.
   bool takes_records() const {
-    return plan_.kernel_records != nullptr && call_.half == nullptr && call_.in[0].layout == Layout::kPlain &&
-           call_.out.layout == Layout::kPlain;
+    return records_kernel() != nullptr && call_.in[0].layout == Layout::kPlain && call_.out.layout == Layout::kPlain;
+  }
+  BlockKernel<T> records_kernel() const {
+    return call_.half == nullptr ? plan_.kernel_records : plan_.kernel_records_half;
   }
 
   // Whether a kernel takes whole blocks of input 0 in half precision. It fetches its outputs ahead, which hides them
@@ -137,6 +139,10 @@ class Driver {
           blocks_.step[j] = block / 2;
           continue;
         }
+        if (takes_records() && lanes == kBlock<T>) {
+          blocks_.in[j] = reinterpret_cast<const T*>(call_.half + first * plan_.in[j]);
+          continue;
+        }
         fetch_halves(first * plan_.in[j], count, lanes, room);
       } else {
         const T* from = shared ? blocks_.in[j] : call_.in[j].data + first * plan_.in[j];
@@ -190,7 +196,7 @@ class Driver {
     blocks_.out = direct_out_ ? out : room;
     const bool halves = takes_halves() && lanes == kBlock<T>;
     const bool records = takes_records() && lanes == kBlock<T>;
-    (halves ? plan_.kernel_half : records ? plan_.kernel_records : kernel_)(blocks_);
+    (halves ? plan_.kernel_half : records ? records_kernel() : kernel_)(blocks_);
     if (direct_out_) return;
     if (records) return copy(blocks_.out, count * block, call_.stream, out);
     deliver(count, lanes, room + count * block, out);

@@ -27,6 +27,7 @@ struct Plan {
   detail::Once<double> finish = nullptr;
   int shared = -1;  // the input that is always shared, and that the kernel takes as scalars; none: -1
   BlockKernel<T> kernel_records = nullptr;         // from plain records of input 0 to plain records
+  BlockKernel<T> kernel_records_half = nullptr;    // where they are in half precision
   detail::RecordKernel<T> kernel_plain = nullptr;  // takes and gives plain records
 };
 

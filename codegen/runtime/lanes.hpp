@@ -294,7 +294,8 @@ void multiply_blocks(const Blocks<T>& blocks) {
 // The scalar products of plain records, Rows rows of Length >= 4 values each, with input 1, Sums rows: row r meets rows
 // r Sums / Rows and up of it. Out: plain records. Transposed columns stay in registers while they are added up, in their
 // order, so that the bits are those of a plain loop; two parts by turns hide the time of an addition.
-template <int Rows, int Sums, std::size_t Length>
+// Stored: float, or Half, which `in[0]` points to then.
+template <int Rows, int Sums, std::size_t Length, class Stored>
 void multiply_records(const Blocks<float>& blocks) {
   constexpr std::size_t kParts = 2;
   constexpr std::size_t kAtOnce = kParts * kWide;  // records
@@ -302,14 +303,15 @@ void multiply_records(const Blocks<float>& blocks) {
   constexpr std::size_t kSumsOfRow = Sums / Rows;
   const float* light = blocks.in[1];
   for (std::size_t i = 0; i < blocks.count * kBlock<float>; i += kAtOnce) {
-    const float* records = blocks.in[0] + i * kSize;
+    const Stored* records = reinterpret_cast<const Stored*>(blocks.in[0]) + i * kSize;
     Wide sums[Sums][kParts];
     for (auto& sum : sums) sum[0] = sum[1] = -Wide{};  // -0 leaves what is added to it
     // Adds columns first + skipped to first + 3 of each row.
     const auto add = [&](std::size_t first, auto skipped) __attribute__((always_inline)) {
       constexpr std::size_t kSkipped = decltype(skipped)::value;
       constexpr std::size_t kNear = Rows == 1 ? 10240 : 4096;  // measured: longer records leave less room
-      prefetch_stream<kNear>(records + first * kAtOnce * Rows, 4 * kAtOnce * Rows / kBlock<float>);
+      prefetch_stream<kNear>(reinterpret_cast<const float*>(records + first * kAtOnce * Rows),
+                             4 * kAtOnce * Rows * sizeof(Stored) / detail::kLine);
       unrolled(
           std::make_index_sequence<kParts * Rows>(), [&](std::size_t k) __attribute__((always_inline)) {
             const std::size_t part = k / Rows;

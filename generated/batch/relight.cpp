@@ -10,16 +10,16 @@ template <class T>
 void relight(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
       {2, {1, 1}, 1, false, multiply_blocks<1, 1, 1, T, T>, float_only<T>(multiply_blocks<1, 1, 1, float, Half>), nullptr, 0, nullptr, nullptr, 1},
-      {2, {4, 4}, 1, false, multiply_blocks<1, 1, 4, T, T>, float_only<T>(multiply_blocks<1, 1, 4, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 4>)},
-      {2, {9, 9}, 1, false, multiply_blocks<1, 1, 9, T, T>, float_only<T>(multiply_blocks<1, 1, 9, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 9>)},
-      {2, {16, 16}, 1, false, multiply_blocks<1, 1, 16, T, T>, float_only<T>(multiply_blocks<1, 1, 16, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 16>)},
-      {2, {25, 25}, 1, false, multiply_blocks<1, 1, 25, T, T>, float_only<T>(multiply_blocks<1, 1, 25, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 25>)},
-      {2, {36, 36}, 1, false, multiply_blocks<1, 1, 36, T, T>, float_only<T>(multiply_blocks<1, 1, 36, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 36>)},
-      {2, {49, 49}, 1, false, multiply_blocks<1, 1, 49, T, T>, float_only<T>(multiply_blocks<1, 1, 49, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 49>)},
-      {2, {64, 64}, 1, false, multiply_blocks<1, 1, 64, T, T>, float_only<T>(multiply_blocks<1, 1, 64, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 64>)},
-      {2, {81, 81}, 1, false, multiply_blocks<1, 1, 81, T, T>, float_only<T>(multiply_blocks<1, 1, 81, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 81>)},
-      {2, {100, 100}, 1, false, multiply_blocks<1, 1, 100, T, T>, float_only<T>(multiply_blocks<1, 1, 100, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 100>)},
-      {2, {121, 121}, 1, false, multiply_blocks<1, 1, 121, T, T>, float_only<T>(multiply_blocks<1, 1, 121, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 121>)},
+      {2, {4, 4}, 1, false, multiply_blocks<1, 1, 4, T, T>, float_only<T>(multiply_blocks<1, 1, 4, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 4, float>), float_only<T>(multiply_records<1, 1, 4, Half>)},
+      {2, {9, 9}, 1, false, multiply_blocks<1, 1, 9, T, T>, float_only<T>(multiply_blocks<1, 1, 9, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 9, float>), float_only<T>(multiply_records<1, 1, 9, Half>)},
+      {2, {16, 16}, 1, false, multiply_blocks<1, 1, 16, T, T>, float_only<T>(multiply_blocks<1, 1, 16, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 16, float>), float_only<T>(multiply_records<1, 1, 16, Half>)},
+      {2, {25, 25}, 1, false, multiply_blocks<1, 1, 25, T, T>, float_only<T>(multiply_blocks<1, 1, 25, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 25, float>), float_only<T>(multiply_records<1, 1, 25, Half>)},
+      {2, {36, 36}, 1, false, multiply_blocks<1, 1, 36, T, T>, float_only<T>(multiply_blocks<1, 1, 36, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 36, float>), float_only<T>(multiply_records<1, 1, 36, Half>)},
+      {2, {49, 49}, 1, false, multiply_blocks<1, 1, 49, T, T>, float_only<T>(multiply_blocks<1, 1, 49, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 49, float>), float_only<T>(multiply_records<1, 1, 49, Half>)},
+      {2, {64, 64}, 1, false, multiply_blocks<1, 1, 64, T, T>, float_only<T>(multiply_blocks<1, 1, 64, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 64, float>), float_only<T>(multiply_records<1, 1, 64, Half>)},
+      {2, {81, 81}, 1, false, multiply_blocks<1, 1, 81, T, T>, float_only<T>(multiply_blocks<1, 1, 81, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 81, float>), float_only<T>(multiply_records<1, 1, 81, Half>)},
+      {2, {100, 100}, 1, false, multiply_blocks<1, 1, 100, T, T>, float_only<T>(multiply_blocks<1, 1, 100, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 100, float>), float_only<T>(multiply_records<1, 1, 100, Half>)},
+      {2, {121, 121}, 1, false, multiply_blocks<1, 1, 121, T, T>, float_only<T>(multiply_blocks<1, 1, 121, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 1, 121, float>), float_only<T>(multiply_records<1, 1, 121, Half>)},
   };
   drive(call, kPlans[call.degree]);
 }

@@ -10,16 +10,16 @@ template <class T>
 void relight_rgb(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
       {2, {1, 3}, 3, false, multiply_blocks<1, 3, 1, T, T>, float_only<T>(multiply_blocks<1, 3, 1, float, Half>), nullptr, 0, nullptr, nullptr, 1},
-      {2, {4, 12}, 3, false, multiply_blocks<1, 3, 4, T, T>, float_only<T>(multiply_blocks<1, 3, 4, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 4>)},
-      {2, {9, 27}, 3, false, multiply_blocks<1, 3, 9, T, T>, float_only<T>(multiply_blocks<1, 3, 9, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 9>)},
-      {2, {16, 48}, 3, false, multiply_blocks<1, 3, 16, T, T>, float_only<T>(multiply_blocks<1, 3, 16, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 16>)},
-      {2, {25, 75}, 3, false, multiply_blocks<1, 3, 25, T, T>, float_only<T>(multiply_blocks<1, 3, 25, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 25>)},
-      {2, {36, 108}, 3, false, multiply_blocks<1, 3, 36, T, T>, float_only<T>(multiply_blocks<1, 3, 36, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 36>)},
-      {2, {49, 147}, 3, false, multiply_blocks<1, 3, 49, T, T>, float_only<T>(multiply_blocks<1, 3, 49, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 49>)},
-      {2, {64, 192}, 3, false, multiply_blocks<1, 3, 64, T, T>, float_only<T>(multiply_blocks<1, 3, 64, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 64>)},
-      {2, {81, 243}, 3, false, multiply_blocks<1, 3, 81, T, T>, float_only<T>(multiply_blocks<1, 3, 81, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 81>)},
-      {2, {100, 300}, 3, false, multiply_blocks<1, 3, 100, T, T>, float_only<T>(multiply_blocks<1, 3, 100, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 100>)},
-      {2, {121, 363}, 3, false, multiply_blocks<1, 3, 121, T, T>, float_only<T>(multiply_blocks<1, 3, 121, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 121>)},
+      {2, {4, 12}, 3, false, multiply_blocks<1, 3, 4, T, T>, float_only<T>(multiply_blocks<1, 3, 4, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 4, float>), float_only<T>(multiply_records<1, 3, 4, Half>)},
+      {2, {9, 27}, 3, false, multiply_blocks<1, 3, 9, T, T>, float_only<T>(multiply_blocks<1, 3, 9, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 9, float>), float_only<T>(multiply_records<1, 3, 9, Half>)},
+      {2, {16, 48}, 3, false, multiply_blocks<1, 3, 16, T, T>, float_only<T>(multiply_blocks<1, 3, 16, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 16, float>), float_only<T>(multiply_records<1, 3, 16, Half>)},
+      {2, {25, 75}, 3, false, multiply_blocks<1, 3, 25, T, T>, float_only<T>(multiply_blocks<1, 3, 25, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 25, float>), float_only<T>(multiply_records<1, 3, 25, Half>)},
+      {2, {36, 108}, 3, false, multiply_blocks<1, 3, 36, T, T>, float_only<T>(multiply_blocks<1, 3, 36, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 36, float>), float_only<T>(multiply_records<1, 3, 36, Half>)},
+      {2, {49, 147}, 3, false, multiply_blocks<1, 3, 49, T, T>, float_only<T>(multiply_blocks<1, 3, 49, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 49, float>), float_only<T>(multiply_records<1, 3, 49, Half>)},
+      {2, {64, 192}, 3, false, multiply_blocks<1, 3, 64, T, T>, float_only<T>(multiply_blocks<1, 3, 64, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 64, float>), float_only<T>(multiply_records<1, 3, 64, Half>)},
+      {2, {81, 243}, 3, false, multiply_blocks<1, 3, 81, T, T>, float_only<T>(multiply_blocks<1, 3, 81, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 81, float>), float_only<T>(multiply_records<1, 3, 81, Half>)},
+      {2, {100, 300}, 3, false, multiply_blocks<1, 3, 100, T, T>, float_only<T>(multiply_blocks<1, 3, 100, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 100, float>), float_only<T>(multiply_records<1, 3, 100, Half>)},
+      {2, {121, 363}, 3, false, multiply_blocks<1, 3, 121, T, T>, float_only<T>(multiply_blocks<1, 3, 121, float, Half>), nullptr, 0, nullptr, nullptr, 1, float_only<T>(multiply_records<1, 3, 121, float>), float_only<T>(multiply_records<1, 3, 121, Half>)},
   };
   drive(call, kPlans[call.degree]);
 }

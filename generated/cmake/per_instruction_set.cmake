@@ -8,7 +8,7 @@ function(shforge_per_instruction_set target prefix)
   set(flags_baseline -ffp-contract=off)
   set(flags_avx2 -mavx2 -mfma -mf16c -ffp-contract=fast)
   # g++ 12 warns wrongly on the undefined operands of its own intrinsics (GCC bug 105593).
-  set(flags_avx512 -mavx512f -mavx512bw -mavx512dq -mavx512vl -mavx512cd -mfma -ffp-contract=fast
+  set(flags_avx512 -mavx512f -mavx512bw -mavx512dq -mavx512vl -mavx512cd -mfma -mf16c -ffp-contract=fast
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-uninitialized>)
   set(sets baseline)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

@@ -64,8 +64,9 @@ std::vector<float> light_of(const Transfer& transfer, const LightCoefficients& l
   return values;
 }
 
-/// The sums of `count` complete rows of a transfer of this shape, three a row.
-void sums_of(const TransferShape& shape, const float* rows, std::size_t count, const std::vector<float>& light,
+/// The sums of `count` complete rows of a transfer of this shape, three a row. Number: float, or batch::Half.
+template <class Number>
+void sums_of(const TransferShape& shape, const Number* rows, std::size_t count, const std::vector<float>& light,
              float* out) {
   const bool is_white = light.size() == shape.count();
   const auto all = batch::plain(rows);
@@ -91,6 +92,9 @@ void sums_of(const TransferShape& shape, const float* rows, std::size_t count, c
 /// The same for rows `first` and on, as they are stored.
 void sums_of(const TransferShape& shape, const Rows& rows, std::size_t first, std::size_t count,
              const std::vector<float>& light, float* out) {
+  if (const std::uint16_t* halves = rows.halves(first)) {
+    return sums_of(shape, reinterpret_cast<const batch::Half*>(halves), count, light, out);
+  }
   rows.each(first, count, [&](std::size_t v, std::size_t some, const float* numbers) {
     sums_of(shape, numbers, some, light, out + 3 * (v - first));
   });

@@ -25,11 +25,20 @@ Rows::Rows(const std::vector<float>& complete, const Encoded& stored, const Tran
   if (element_ == Element::kByte && stored.scale.size() != columns_) {
     throw std::invalid_argument(fmt::format("{} scales: expected {}, one a column", stored.scale.size(), columns_));
   }
+  constexpr std::size_t kRowsOfScales = 16;  // so that rows of any length are widened in whole registers
+  for (std::size_t row = 0; element_ == Element::kByte && row < kRowsOfScales; ++row) {
+    scales_.insert(scales_.end(), stored.scale.begin(), stored.scale.end());
+  }
   count_ = stored.data.size() / (columns_ * bytes_of(element_));
   if (columns_ == length_) places_.clear();
 }
 
 std::size_t Rows::bytes() const { return stored_ != nullptr ? stored_->data.size() : count_ * length_ * sizeof(float); }
+
+const std::uint16_t* Rows::halves(std::size_t first) const {
+  if (stored_ == nullptr || element_ != Element::kHalf || !places_.empty()) return nullptr;
+  return reinterpret_cast<const std::uint16_t*>(stored_->data.data()) + first * columns_;
+}
 
 std::vector<float> Rows::all() const {
   std::vector<float> numbers;
@@ -47,7 +56,7 @@ void Rows::widen(const std::byte* from, std::size_t rows, float* to) const {
   } else if (element_ == Element::kHalf) {
     widen_halves(reinterpret_cast<const std::uint16_t*>(from), count, to);
   } else {
-    widen_bytes(reinterpret_cast<const std::int8_t*>(from), rows, columns_, stored_->scale.data(), to);
+    widen_bytes(reinterpret_cast<const std::int8_t*>(from), count, scales_, to);
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "prt/transfer/storage.hpp"
@@ -23,6 +24,8 @@ class Rows {
   [[nodiscard]] std::size_t bytes() const;
   /// The complete rows `first` to first + count - 1, (count, length): in `room` if they are stored otherwise.
   [[nodiscard]] const float* some(std::size_t first, std::size_t count, std::vector<float>& room) const;
+  /// The same where rows are stored in half precision, complete and by their bits; null where they are not.
+  [[nodiscard]] const std::uint16_t* halves(std::size_t first) const;
   /// All rows, (count, length).
   [[nodiscard]] std::vector<float> all() const;
 
@@ -52,8 +55,9 @@ class Rows {
   std::size_t length_;
   std::size_t count_ = 0;
   Element element_ = Element::kSingle;
-  std::size_t columns_ = 0;  // stored
-  std::size_t copies_ = 1;   // of a column, `apart_` numbers apart
+  std::size_t columns_ = 0;    // stored
+  std::vector<float> scales_;  // of 8 bits: those of the columns, again and again for some rows
+  std::size_t copies_ = 1;     // of a column, `apart_` numbers apart
   std::size_t apart_ = 0;
   std::vector<std::size_t> places_;  // of the columns in a complete row; empty: one after the other
 };

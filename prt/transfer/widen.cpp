@@ -1,6 +1,7 @@
 #include "prt/transfer/widen.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 
 #include "prt/rays/widest.hpp"
 
@@ -31,6 +32,10 @@ __attribute__((target("avx,f16c"))) std::size_t widen_registers(const std::uint1
 const bool kHasRegisters = __builtin_cpu_supports("avx2") > 0;  // all of these have F16C
 #endif
 
+SHFORGE_WIDEST void scale_bytes(const std::int8_t* from, std::size_t count, const float* scales, float* to) {
+  for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<float>(from[i]) * scales[i];
+}
+
 }  // namespace
 
 void widen_halves(const std::uint16_t* from, std::size_t count, float* to) {
@@ -41,10 +46,9 @@ void widen_halves(const std::uint16_t* from, std::size_t count, float* to) {
   for (; i < count; ++i) to[i] = widened(from[i]);
 }
 
-SHFORGE_WIDEST void widen_bytes(const std::int8_t* from, std::size_t rows, std::size_t columns, const float* scale,
-                                float* to) {
-  for (std::size_t r = 0; r < rows; ++r, from += columns, to += columns) {
-    for (std::size_t i = 0; i < columns; ++i) to[i] = static_cast<float>(from[i]) * scale[i];
+void widen_bytes(const std::int8_t* from, std::size_t count, std::span<const float> scales, float* to) {
+  for (std::size_t done = 0; done < count; done += scales.size()) {
+    scale_bytes(from + done, std::min(scales.size(), count - done), scales.data(), to + done);
   }
 }
 

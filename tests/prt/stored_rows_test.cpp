@@ -271,11 +271,11 @@ TEST(Widening, GivesEveryHalfExactly) {
 TEST(Widening, GivesEveryByteTimesItsScale) {
   std::vector<std::int8_t> bytes;
   for (int q = -128; q < 128; ++q) bytes.push_back(static_cast<std::int8_t>(q));
-  for (const std::size_t columns : {1U, 2U, 16U, 64U, 256U}) {
+  for (const std::size_t columns : {1U, 2U, 3U, 16U, 25U, 64U, 256U, 400U}) {
     std::vector<float> scale;
     for (std::size_t i = 0; i < columns; ++i) scale.push_back(0.1F + static_cast<float>(i));
     std::vector<float> wide(bytes.size());
-    widen_bytes(bytes.data(), bytes.size() / columns, columns, scale.data(), wide.data());
+    widen_bytes(bytes.data(), bytes.size(), scale, wide.data());
     for (std::size_t i = 0; i < wide.size(); ++i) {
       ASSERT_EQ(wide[i], static_cast<float>(bytes[i]) * scale[i % columns]) << columns;
     }
