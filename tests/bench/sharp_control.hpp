@@ -24,8 +24,6 @@ class SharpControl {
 
   void synthesis() const { run(SHARP_ALM2MAP); }
   void analysis() const { run(SHARP_MAP2ALM); }
-  /// Values of the function whose coefficient of degree l and orders m and -m are (0.5, 0.5).
-  [[nodiscard]] const std::vector<double>& map() const { return map_; }
 
  private:
   void run(sharp_jobtype job) const;

@@ -46,7 +46,7 @@ struct Growth {
   double* inverse_before;
 };
 struct Tables {
-  std::size_t size;  // of each array: steps_of(...), a multiple of kPadding
+  std::size_t size;  // of each array: size_of_tables(steps)
   double* even;      // eps_(m+2k,m)
   double* odd;       // eps_(m+2k+1,m)
   double* alpha;
