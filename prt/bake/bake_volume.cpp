@@ -12,6 +12,7 @@
 #include "prt/bake/estimate.hpp"
 #include "prt/bake/fill_closed.hpp"
 #include "prt/bake/sent_to_points.hpp"
+#include "prt/bake/shadow_box.hpp"
 #include "prt/bake/shadow_pass.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
@@ -73,12 +74,16 @@ void require_memory(const Transfer& volume, const VolumeOptions& options, const 
   }
 }
 
+Eigen::AlignedBox3d bounds_of(const Scene& scene) {
+  return scene.medium ? scene.medium->extinction.support() : bounding_box(points_of(scene.mesh));
+}
+
 PointGrid grid_of(const Scene& scene, const VolumeOptions& options) {
-  PointGrid grid{options.box.value_or(box_around(scene.mesh)), options.counts};
+  PointGrid grid{options.box ? *options.box : default_box(scene, options), options.counts};
   if (const std::string flaw = flaw_of(grid); !flaw.empty()) {
     throw std::invalid_argument(fmt::format("{}: {}", scene.name, flaw));
   }
-  const Eigen::AlignedBox3d bounds = bounding_box(points_of(scene.mesh));
+  const Eigen::AlignedBox3d bounds = bounds_of(scene);
   if (!grid.box.contains(bounds)) {
     const auto text = [](const Eigen::Vector3d& p) { return fmt::format("{:.6g} {:.6g} {:.6g}", p.x(), p.y(), p.z()); };
     throw std::invalid_argument(
@@ -88,7 +93,7 @@ PointGrid grid_of(const Scene& scene, const VolumeOptions& options) {
   return grid;
 }
 
-void check(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings) {
+void check(const Scene& scene, const VolumeOptions& options) {
   const auto require = [&](const char* what, int value) {
     if (value < 0 || value > kHighestProduct) {
       throw std::invalid_argument(
@@ -101,14 +106,15 @@ void check(const Scene& scene, const VolumeOptions& options, const BakeSettings&
     throw std::invalid_argument(
         fmt::format("directions: expected 1 to {}, got {}", kMaxDirections, options.directions));
   }
+  if (!(options.faintest_shadow > 0.0 && options.faintest_shadow < 1.0)) {
+    throw std::invalid_argument(fmt::format(
+        "faintest shadow: expected a part of the light, above 0 and below 1, got {}", options.faintest_shadow));
+  }
   if (options.sampler == Sampler::kCosine) {
     throw std::invalid_argument(fmt::format(
         "{}: the sampler cosine has directions of one half of the sphere; expected another one", scene.name));
   }
-  if (settings.threads < 0) {
-    throw std::invalid_argument(fmt::format("threads: expected 0 (every core) or more, got {}", settings.threads));
-  }
-  if (scene.mesh.faces.empty()) {
+  if (scene.mesh.faces.empty() && !scene.medium) {
     throw std::invalid_argument(fmt::format("{}: the mesh has no faces, expected at least one triangle", scene.name));
   }
 }
@@ -149,19 +155,6 @@ std::size_t fill_inside(const std::vector<Sight>& sight, Transfer& volume) {
   const std::size_t length = volume.indirect_shape.length();
   if (!volume.indirect.empty()) fill.apply(volume.indirect.data(), length, length);
   return inside;
-}
-
-double blocked_at_border(const Transfer& volume) {
-  const PointGrid& grid = *volume.grid;
-  const auto whole = static_cast<float>(std::sqrt(4.0 * std::numbers::pi));
-  float least = whole;
-  for (std::size_t p = 0; p < grid.points(); ++p) {
-    const std::array<std::uint32_t, 3> at = grid.place(p);
-    bool is_border = false;
-    for (std::size_t axis = 0; axis < 3; ++axis) is_border |= at[axis] == 0 || at[axis] + 1 == grid.counts[axis];
-    if (is_border) least = std::min(least, volume.row(p)[0]);
-  }
-  return 1.0 - static_cast<double>(least / whole);
 }
 
 std::string key_of(const Scene& scene, const BakeOptions& bake, const Transfer& volume) {
@@ -226,17 +219,42 @@ void trace(const Scene& scene, const VolumeOptions& options, const BakeSettings&
 
 }  // namespace
 
-Eigen::AlignedBox3d box_around(const Mesh& mesh) {
-  const Eigen::AlignedBox3d bounds = bounding_box(points_of(mesh));
+Eigen::AlignedBox3d default_box(const Scene& scene, const VolumeOptions& options) {
+  if (!scene.lights.empty() && !options.reflects) {
+    const LightCoefficients light = project(load_lights(scene.lights, OnFlaw::kMend), options.degree);
+    if (const auto box = shadow_box(bounds_of(scene), light, scene.plan.turns, options.faintest_shadow)) return *box;
+  }
+  const Eigen::AlignedBox3d bounds = bounds_of(scene);
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kBoxMargin * 0.5 * bounds.diagonal().norm());
   return {bounds.min() - margin, bounds.max() + margin};
 }
 
-Transfer bake_volume(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings,
-                     VolumeReport* report, const BakeObserver& say) {
-  check(scene, options, settings);
+double blocked_at_border(const Transfer& volume) {
+  const PointGrid& grid = *volume.grid;
+  const auto whole = static_cast<float>(std::sqrt(4.0 * std::numbers::pi));
+  float least = whole;
+  for (std::size_t p = 0; p < grid.points(); ++p) {
+    const std::array<std::uint32_t, 3> at = grid.place(p);
+    bool is_border = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) is_border |= at[axis] == 0 || at[axis] + 1 == grid.counts[axis];
+    if (is_border) least = std::min(least, volume.row(p)[0]);
+  }
+  return 1.0 - static_cast<double>(least / whole);
+}
+
+Transfer empty_volume(const Scene& scene, const VolumeOptions& options, const BakeObserver& say) {
+  check(scene, options);
   Transfer volume = without_numbers(scene, options, grid_of(scene, options));
   require_memory(volume, options, say);
+  return volume;
+}
+
+Transfer bake_volume(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings,
+                     VolumeReport* report, const BakeObserver& say) {
+  if (settings.threads < 0) {
+    throw std::invalid_argument(fmt::format("threads: expected 0 (every core) or more, got {}", settings.threads));
+  }
+  Transfer volume = empty_volume(scene, options, say);
   VolumeReport measured;
   on_threads(settings.threads, [&] { trace(scene, options, settings, volume, measured); });
   volume.shape.storage.element = options.element;

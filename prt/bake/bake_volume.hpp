@@ -17,7 +17,8 @@ namespace sh::prt {
 
 struct VolumeOptions {
   std::array<std::uint32_t, 3> counts = {64, 64, 8};
-  std::optional<Eigen::AlignedBox3d> box = {};  // default: box_around()
+  std::optional<Eigen::AlignedBox3d> box = {};  // default: default_box()
+  double faintest_shadow = 0.05;                // that the default box holds, as a part of the largest irradiance
   int degree = 2;                               // of the light, 0..kHighestProduct
   int result_degree = 4;                        // of the radiance that reaches a point, 0..kHighestProduct
   int directions = 2048;                        // over the sphere
@@ -28,23 +29,31 @@ struct VolumeOptions {
   double memory = 0.0;                 // bytes that the bake may take; 0: those of the machine
 };
 
-/// The parts of the radius of the object's bounding sphere by which the default box exceeds the object on every side. A
-/// sphere at its distance blocks 0.028 of the directions.
+/// The parts of the radius of the object's bounding sphere by which the default box without lights exceeds the object on
+/// every side. A sphere at its distance blocks 0.028 of the directions.
 inline constexpr double kBoxMargin = 2.0;
 
-/// The box around a mesh, in the world, with this margin.
-Eigen::AlignedBox3d box_around(const Mesh& mesh);
+/// The box, in the world, that holds the shadows of the scene's meshes or medium under its lights, of the degree of the options, as
+/// far as the scene's plan lets these turn (shadow_box.hpp). Without lights, and for a volume that sends light, the box of
+/// the object with this margin.
+Eigen::AlignedBox3d default_box(const Scene& scene, const VolumeOptions& options);
+
+/// A volume of this scene without numbers. Throws std::invalid_argument for options out of range, a box without sides or that
+/// does not contain the meshes or the medium, or more memory than there is, with the counts that fit. Says how much it is.
+Transfer empty_volume(const Scene& scene, const VolumeOptions& options, const BakeObserver& say);
+
+/// The largest part of the sphere that the object blocks at a side of the box.
+double blocked_at_border(const Transfer& volume);
 
 /// What a point of the grid tells of a volume.
 struct VolumeReport {
   BakeReport bake;
   std::size_t inside = 0;  // points inside solids; PointGrid::filled of them have numbers of points outside
-  double border = 0.0;     // the largest part of the sphere that the object blocks at a side of the box
+  double border = 0.0;     // blocked_at_border
 };
 
-/// The transfer of kind N of the points around the scene's meshes; lights, materials and the scene's bake are not used.
-/// Mirrors block rays. The same bits for any number of threads. Throws std::invalid_argument for options out of range, a
-/// box without sides or that does not contain the meshes, or more memory than there is, with the counts that fit; and
+/// The transfer of kind N of the points around the scene's meshes; materials and the scene's bake are not used, lights for
+/// the default box alone. Mirrors block rays. The same bits for any number of threads. Throws like empty_volume, and
 /// like bake() for the rest: progress, interruption, checkpoint.
 Transfer bake_volume(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings,
                      VolumeReport* report = nullptr, const BakeObserver& say = {});

@@ -8,6 +8,7 @@
 #include "prt/bake/bake.hpp"
 #include "prt/commands/medium_commands.hpp"
 #include "prt/mesh/import_mesh.hpp"
+#include "prt/say.hpp"
 #include "prt/scene/json_reader.hpp"
 
 namespace sh::prt {
@@ -61,6 +62,8 @@ LitPlace::LitPlace(const LitPlaceOptions& options)
       poses_(subject_.poses_at(options.time)),
       mesh_(subject_.mesh(poses_)),
       tracer_(mesh_),
-      surface_(subject_.surface(poses_, Eigen::Matrix3d::Identity())) {}
+      surface_(subject_.surface(poses_, Eigen::Matrix3d::Identity())) {
+  if (subject_.has_media()) say(options.subject.file + ": the point sees no media, but the shadows of their volumes");
+}
 
 }  // namespace sh::prt

@@ -69,10 +69,7 @@ class ShownMedium : public Shown {
   const Camera& place(double /*time*/) override { return *chosen_.camera; }
 
   [[nodiscard]] Picture picture(const View& view, const Background& background, const std::string& what) override {
-    const std::vector<float> sent = scattered_light(transfer_, turned(light_, view.light_turn));
-    if (!std::all_of(sent.begin(), sent.end(), [](float value) { return std::isfinite(value); })) {
-      throw std::runtime_error(fmt::format("{}: its radiance exceeds single precision: expected weaker lights", file_));
-    }
+    const std::vector<float> sent = finite_scattered_light(transfer_, turned(light_, view.light_turn), file_);
     return render(LitMedium(*transfer_.grid, transfer_.density, sent), view.camera, size_, background, what);
   }
   [[nodiscard]] float least_coverage() const override { return 0.5F; }
@@ -135,6 +132,15 @@ void bake_medium_to_file(const Scene& scene, std::size_t bounce_memory, const st
   say(fmt::format("{:.0f} MiB at the most", static_cast<double>(peak_memory()) / kMiB));
   report_time(stopwatch, fmt::format("baked {} voxels, degree {}, {} directions, into {}", estimate.voxels,
                                      transfer.degree(), estimate.directions, output));
+}
+
+std::vector<float> finite_scattered_light(const Transfer& transfer, const LightCoefficients& light,
+                                          const std::string& file) {
+  std::vector<float> sent = scattered_light(transfer, light);
+  if (!std::all_of(sent.begin(), sent.end(), [](float value) { return std::isfinite(value); })) {
+    throw std::runtime_error(fmt::format("{}: its radiance exceeds single precision: expected weaker lights", file));
+  }
+  return sent;
 }
 
 std::unique_ptr<Shown> shown_medium(const SubjectOptions& options, const PictureSize& size) {

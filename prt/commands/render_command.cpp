@@ -88,7 +88,7 @@ class ShownSubject : public Shown {
 
   [[nodiscard]] Picture picture(const View& view, const Background& background, const std::string& what) override {
     return render(mesh_, *tracer_, subject_.surface(poses_, view.light_turn), view.camera, options_.size, background,
-                  what);
+                  what, subject_.veil(poses_, view.light_turn, view.camera.position));
   }
 
  private:

@@ -8,6 +8,8 @@
 
 #include "numeric/output/atomic_file.hpp"
 #include "numeric/output/png.hpp"
+#include "prt/commands/medium_commands.hpp"
+#include "prt/medium/lit_medium.hpp"
 #include "prt/say.hpp"
 #include "prt/transfer/transfer_file.hpp"
 
@@ -231,6 +233,24 @@ Surface Subject::surface(const std::vector<Pose>& poses, const Eigen::Matrix3d& 
     if (object != objects.begin()) own.face -= std::prev(object)->end;
     return object->surface(own, object->to_object * direction);
   };
+}
+
+bool Subject::has_media() const {
+  return std::any_of(stage_.objects.begin(), stage_.objects.end(),
+                     [](const StageObject& object) { return object.transfer->kind->in_medium; });
+}
+
+Veil Subject::veil(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
+                   const Eigen::Vector3d& eye) const {
+  if (!has_media()) return {};
+  const LitStage stage = lighting_.at(poses, light_turn);
+  std::vector<PlacedMedium> media;
+  for (std::size_t i = 0; i < stage_.objects.size(); ++i) {
+    const Transfer& transfer = *stage_.objects[i].transfer;
+    if (!transfer.kind->in_medium) continue;
+    media.push_back({&transfer, poses[i], finite_scattered_light(transfer, stage.light(i), stage_.objects[i].name)});
+  }
+  return veil_of(std::move(media), eye);
 }
 
 SurfaceColors Subject::colors(const Mesh& mesh) const {

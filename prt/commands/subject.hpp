@@ -66,6 +66,10 @@ class Subject {
   [[nodiscard]] TransferredRadiance reaching(const Eigen::Matrix3d& light_turn) const;
   /// What a picture of mesh(poses) shows. This object must outlive it.
   [[nodiscard]] Surface surface(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn) const;
+  /// The media before it, as an eye sees them; empty without any. Throws like radiance().
+  [[nodiscard]] Veil veil(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
+                          const Eigen::Vector3d& eye) const;
+  [[nodiscard]] bool has_media() const;
 
  private:
   Subject(const SubjectOptions& options, bool is_stage, Stage stage);

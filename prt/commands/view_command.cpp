@@ -91,8 +91,12 @@ void report_overlaps(const Stage& stage, OnFlaw flaws) {
 
 void add_stage(const std::string& file, const ViewCommand& options, Chosen& chosen) {
   Stage stage = load_stage(file, options.transfers);
-  report_overlaps(stage, on_flaw(options.light.strict));
-  ViewedSubject subject{name_of(file), stage.name, {}, stage.objects};
+  ViewedSubject subject{name_of(file), stage.name, {}, stage.objects, {}};
+  const auto has_volume = [](const StageObject& object) { return object.volume != nullptr; };
+  if (std::count_if(stage.objects.begin(), stage.objects.end(), has_volume) > 1) {
+    throw std::runtime_error(fmt::format(
+        "{}: a page shadows objects by one volume and by spheres; expected one object with `volume`", file));
+  }
   for (const StageObject& object : stage.objects) {
     if (object.from_scene) {
       throw std::runtime_error(fmt::format(
@@ -104,13 +108,23 @@ void add_stage(const std::string& file, const ViewCommand& options, Chosen& chos
           fmt::format("{}: {}: a page gathers the light of glossy objects at their centers; expected `light_at` center",
                       file, object.name));
     }
-    if (object.volume) {
+    if (object.transfer->kind->in_medium) {
+      throw std::runtime_error(
+          fmt::format("{}: {}: a page shows a medium alone, not on a stage; expected surfaces", file, object.name));
+    }
+    if (object.volume && object.volume->kind->stores_matrices()) {
       throw std::runtime_error(fmt::format(
-          "{}: {}: a page shadows objects by spheres; expected objects without `volume`", file, object.name));
+          "{}: {}: a page does not show what an object reflects onto others; expected `volume` without `--reflected`",
+          file, object.name));
     }
     subject.files.push_back(place_of(
         object.file, [&] { return viewed(object.file, object.transfer); }, chosen));
+    std::optional<std::size_t>& volume = subject.volumes.emplace_back();
+    if (!object.volume) continue;
+    volume = place_of(
+        object.volume_file, [&] { return viewed(object.volume_file, object.volume); }, chosen);
   }
+  report_overlaps(stage, on_flaw(options.light.strict));
   chosen.viewed.subjects.push_back(std::move(subject));
   if (chosen.lights.empty()) chosen.lights = stage.lights;
   if (!chosen.camera) chosen.camera = stage.camera;
@@ -126,7 +140,7 @@ Chosen all_chosen(const ViewCommand& options) {
     } else {
       const std::size_t place = place_of(
           file, [&] { return viewed(file); }, chosen);
-      chosen.viewed.subjects.push_back({name_of(file), chosen.viewed.files[place].transfer->scene, {place}, {}});
+      chosen.viewed.subjects.push_back({name_of(file), chosen.viewed.files[place].transfer->scene, {place}, {}, {}});
     }
   }
   return chosen;

@@ -1,12 +1,13 @@
-// `prt volume SCENE -o FILE`: the transfer of the space around an object, at the points of a grid.
+// `prt volume SCENE -o FILE`: the transfer of the space around an object or a medium, at the points of a grid.
 #include <fmt/format.h>
 
 #include "numeric/output/atomic_file.hpp"
 #include "prt/bake/bake_volume.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
-#include "prt/commands/medium_commands.hpp"
+#include "prt/medium/medium_volume.hpp"
 #include "prt/say.hpp"
+#include "prt/transfer/transfer_file.hpp"
 
 namespace sh::prt {
 namespace {
@@ -53,6 +54,15 @@ void report_volume(const Transfer& volume, const VolumeReport& report) {
                   static_cast<double>(peak_memory()) / 1048576.0));
 }
 
+Transfer medium_volume_to_file(const std::string& file, const Scene& scene, const VolumeOptions& options,
+                               VolumeReport& report) {
+  Transfer volume = bake_medium_volume(scene, options, say);
+  report.border = blocked_at_border(volume);
+  report.bake.rays = volume.receivers() * static_cast<std::size_t>(options.directions);
+  write_transfer(file, volume);
+  return volume;
+}
+
 void run_volume(const VolumeCommand& command) {
   const Stopwatch stopwatch;
   require_output(command.output);
@@ -61,11 +71,12 @@ void run_volume(const VolumeCommand& command) {
                               .on_flaw = on_flaw(command.strict),
                               .checkpoint = command.checkpoint.settings(command.output)};
   const Scene scene = load_scene(command.scene, settings.on_flaw);
-  require_meshes(scene, "the space around an object");
   output::require_no_input(command.output, scene.files);
   output::require_no_input(settings.checkpoint.path, scene.files);
   VolumeReport report;
-  const Transfer volume = bake_volume_to_file(command.output, scene, volume_options(command), settings, &report, say);
+  const Transfer volume =
+      scene.medium ? medium_volume_to_file(command.output, scene, volume_options(command), report)
+                   : bake_volume_to_file(command.output, scene, volume_options(command), settings, &report, say);
   report_volume(volume, report);
   report_time(stopwatch, fmt::format("baked {} points, light of degree {}, result of degree {}, {} directions, into {}",
                                      volume.receivers(), volume.degree(), volume.shape.result_degree, volume.directions,
@@ -77,7 +88,7 @@ void run_volume(const VolumeCommand& command) {
 void add_volume_command(CLI::App& tool) {
   auto options = std::make_shared<VolumeCommand>();
   CLI::App& command =
-      *tool.add_subcommand("volume", "compute what an object leaves of the light in the space around it");
+      *tool.add_subcommand("volume", "compute what an object or a medium leaves of the light in the space around it");
   command.add_option("SCENE", options->scene, "a scene's JSON file, `demo`, or a mesh file: the object")->required();
   command.add_option("-o,--output", options->output, "transfer file to write")->required();
   command.add_option("--counts", options->counts, "NX,NY,NZ: points of the grid along the axes")
@@ -85,11 +96,13 @@ void add_volume_command(CLI::App& tool) {
       ->expected(3);
   command
       .add_option("--box", options->box,
-                  "X,Y,Z,X,Y,Z: lowest and highest corner of the grid; default: the object's box and on every side "
-                  "twice the radius of its bounding sphere")
+                  "X,Y,Z,X,Y,Z: lowest and highest corner of the grid; default: as far as the scene's lights cast "
+                  "shadows or, without lights, twice the radius of its bounding sphere on every side of the object")
       ->default_str("")
       ->delimiter(',')
       ->expected(6);
+  command.add_option("--faintest-shadow", options->volume.faintest_shadow,
+                     "the faintest shadow that the default box holds, as a part of the largest irradiance");
   command.add_option("--degree", options->volume.degree, "SH degree of the light, 0 to 5");
   command.add_option("--result-degree", options->volume.result_degree,
                      "SH degree of the radiance that reaches a point, 0 to 5");

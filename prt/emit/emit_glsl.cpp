@@ -62,6 +62,11 @@ class GlslEmitter {
                       "shader of vertices",
                       transfer_.kind->letters));
     }
+    if (!mesh.atlases.heads.empty()) {
+      throw std::invalid_argument(
+          "its receivers are texels of an atlas, between which its pixels do not interpolate; expected receivers at "
+          "vertices alone, or the shader of vertices");
+    }
     if (!has_one_finish(mesh)) {
       throw std::invalid_argument(
           "some of its faces have several BRDFs or lobes, between which a pixel cannot choose; expected one material a "

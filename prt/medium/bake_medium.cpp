@@ -11,6 +11,7 @@
 #include "prt/bake/estimate.hpp"
 #include "prt/bake/steps.hpp"
 #include "prt/medium/anisotropic.hpp"
+#include "prt/medium/medium_grid.hpp"
 #include "prt/medium/scattering.hpp"
 #include "prt/rays/tracer.hpp"
 
@@ -97,19 +98,15 @@ void scatter(const Scene& scene, const Scattering& scattering, std::size_t bounc
 // Receivers are voxels on input, the points of the grid on output.
 void add_border(const Density& density, Transfer& transfer) {
   const PaddedDensity padded(density);
-  PointGrid grid;
-  grid.box = density.support();
-  for (std::size_t a = 0; a < 3; ++a) grid.counts[a] = static_cast<std::uint32_t>(density.counts[a] + 2);
-  grid.filled = grid.points() - density.size();
+  GridOfMedium points(density);
   const std::size_t length = transfer.shape.length();
   const std::vector<float> voxels = std::move(transfer.coefficients);
-  transfer.coefficients.resize(grid.points() * length);
-  transfer.density.resize(grid.points());
-  for (std::size_t point = 0; point < grid.points(); ++point) {
-    transfer.density[point] = static_cast<float>(*padded.at(point));
+  transfer.coefficients.resize(points.grid.points() * length);
+  for (std::size_t point = 0; point < points.grid.points(); ++point) {
     std::copy_n(&voxels[padded.voxel(point) * length], length, transfer.row(point));
   }
-  transfer.grid = grid;
+  transfer.grid = points.grid;
+  transfer.density = std::move(points.density);
 }
 
 }  // namespace

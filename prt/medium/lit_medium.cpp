@@ -4,35 +4,18 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "numeric/output/progress.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
-#include "prt/medium/cell_walk.hpp"
+#include "prt/medium/medium_ray.hpp"
 #include "prt/medium/voxel_path.hpp"
 
 namespace sh::prt {
 namespace {
 
 constexpr double kOpaque = 1e-7;  // less of the light behind is not seen
-
-// Where a ray is within the box: its distances; none if the second is not above the first.
-std::array<double, 2> within(const Eigen::AlignedBox3d& box, const Eigen::Array3d& eye,
-                             const Eigen::Array3d& direction) {
-  double first = 0.0;
-  double last = std::numeric_limits<double>::infinity();
-  for (Eigen::Index a = 0; a < 3; ++a) {
-    if (direction[a] == 0.0) {
-      if (eye[a] < box.min()[a] || eye[a] > box.max()[a]) last = 0.0;
-      continue;
-    }
-    const double low = (box.min()[a] - eye[a]) / direction[a];
-    const double high = (box.max()[a] - eye[a]) / direction[a];
-    first = std::max(first, std::min(low, high));
-    last = std::min(last, std::max(low, high));
-  }
-  return {first, last};
-}
 
 }  // namespace
 
@@ -41,11 +24,8 @@ LitMedium::LitMedium(const PointGrid& grid, const std::vector<float>& density, c
       density_(density),
       source_(source),
       rows_(source.size() / (3 * grid.points())),
-      degree_(static_cast<int>(std::lround(std::sqrt(static_cast<double>(rows_)))) - 1) {
-  for (std::size_t c = 0; c < 8; ++c) {
-    corners_[c] = (c & 1U) + grid.counts[0] * (((c >> 1U) & 1U) + std::size_t{grid.counts[1]} * ((c >> 2U) & 1U));
-  }
-}
+      degree_(static_cast<int>(std::lround(std::sqrt(static_cast<double>(rows_)))) - 1),
+      corners_(corners_of_cells(grid)) {}
 
 Eigen::Vector3f LitMedium::sent(std::size_t corner, const std::array<double, 8>& share, const float* basis) const {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -62,38 +42,20 @@ Eigen::Vector3f LitMedium::sent(std::size_t corner, const std::array<double, 8>&
   return sum;
 }
 
-Marched LitMedium::march(const Eigen::Vector3d& eye, const Eigen::Vector3d& direction) const {
+Marched LitMedium::march(const Eigen::Vector3d& eye, const Eigen::Vector3d& direction, double farthest) const {
   Marched marched;
-  const auto [first, last] = within(grid_.box, eye.array(), direction.array());
-  if (!(last > first)) return marched;
   std::array<float, coefficient_count(kMaxDegree)> basis{1.0F};
   if (degree_ > 0) {
     const Eigen::Vector3f d = direction.cast<float>();
     evaluate_basis(degree_, d.x(), d.y(), d.z(), basis.data());
   }
-  const Eigen::Array3d spacing = grid_.spacing().array();
-  const Eigen::Array3d start = (eye + first * direction - grid_.box.min()).array() / spacing;
-  CellWalk walk(start, direction.array() / spacing);
   double through = 1.0;
   Eigen::Vector3f near = Eigen::Vector3f::Zero();
   bool is_inside = false;
-  while (true) {
-    const CellPiece piece = walk.next();
-    if (!(piece.from < last - first)) break;
-    bool is_cell = true;
-    for (std::size_t a = 0; a < 3; ++a) {
-      is_cell = is_cell && piece.place[a] >= 0 && piece.place[a] + 1 < static_cast<int>(grid_.counts[a]);
-    }
-    if (!is_cell) continue;  // a rounding at the border
-    const std::size_t corner =
-        grid_.index({static_cast<std::uint32_t>(piece.place[0]), static_cast<std::uint32_t>(piece.place[1]),
-                     static_cast<std::uint32_t>(piece.place[2])});
-    const std::array<double, 8> shares = piece.integral();
-    double depth = 0.0;
-    for (std::size_t c = 0; c < 8; ++c) depth += shares[c] * static_cast<double>(density_[corner + corners_[c]]);
+  const auto cross = [&](const CellPiece& piece, std::size_t corner, double depth) {
     if (depth == 0.0) {
       is_inside = false;
-      continue;
+      return true;
     }
     if (!is_inside) near = sent(corner, trilinear(piece.enter), basis.data());
     is_inside = true;
@@ -103,13 +65,42 @@ Marched LitMedium::march(const Eigen::Vector3d& eye, const Eigen::Vector3d& dire
         static_cast<float>(through * weights.near) * near + static_cast<float>(through * weights.far) * far;
     through *= weights.through;
     near = far;
-    if (through < kOpaque) {
-      through = 0.0;
-      break;
-    }
-  }
+    if (through < kOpaque) through = 0.0;
+    return through > 0.0;
+  };
+  for_cells(grid_, density_, eye, direction, farthest, cross);
   marched.transmittance = static_cast<float>(through);
   return marched;
+}
+
+Veil veil_of(std::vector<PlacedMedium> media, const Eigen::Vector3d& eye) {
+  return [media = std::move(media), eye](const Eigen::Vector3f& direction, double distance) {
+    struct Crossed {
+      const PlacedMedium* medium;
+      Eigen::Vector3d eye;  // in its axes
+      Eigen::Vector3d direction;
+      double enters;
+    };
+    std::vector<Crossed> crossed;
+    for (const PlacedMedium& medium : media) {
+      const Eigen::Matrix3d turn = medium.pose.rotation.transpose();
+      const Eigen::Vector3d from = turn * (eye - medium.pose.position);
+      const Eigen::Vector3d along = (turn * direction.cast<double>()).normalized();
+      const auto [first, last] = within(medium.transfer->grid->box, from.array(), along.array());
+      if (last > first && distance > first) crossed.push_back({&medium, from, along, first});
+    }
+    std::stable_sort(crossed.begin(), crossed.end(),
+                     [](const Crossed& a, const Crossed& b) { return a.enters < b.enters; });
+    Marched all;
+    for (const Crossed& one : crossed) {
+      const Transfer& transfer = *one.medium->transfer;
+      const Marched own =
+          LitMedium(*transfer.grid, transfer.density, one.medium->source).march(one.eye, one.direction, distance);
+      all.radiance += all.transmittance * own.radiance;
+      all.transmittance *= own.transmittance;
+    }
+    return all;
+  };
 }
 
 Picture render(const LitMedium& medium, const Camera& camera, const PictureSize& size, const Background& background,

@@ -3,19 +3,16 @@
 // linear in it between the faces.
 #pragma once
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "prt/runtime/render.hpp"
+#include "prt/scene/stage.hpp"
 #include "prt/transfer/point_grid.hpp"
+#include "prt/transfer/transfer.hpp"
 
 namespace sh::prt {
-
-/// What a ray gets on its way.
-struct Marched {
-  Eigen::Vector3f radiance = Eigen::Vector3f::Zero();  // of the medium
-  float transmittance = 1.0F;                          // of the light behind
-};
 
 class LitMedium {
  public:
@@ -23,8 +20,9 @@ class LitMedium {
   /// coefficients of the direction in which it is seen. The arguments must outlive this object.
   LitMedium(const PointGrid& grid, const std::vector<float>& density, const std::vector<float>& source);
 
-  /// Along a ray from a point of the world in a unit direction.
-  [[nodiscard]] Marched march(const Eigen::Vector3d& eye, const Eigen::Vector3d& direction) const;
+  /// Along a ray from a point of the world in a unit direction, up to a distance.
+  [[nodiscard]] Marched march(const Eigen::Vector3d& eye, const Eigen::Vector3d& direction,
+                              double farthest = std::numeric_limits<double>::infinity()) const;
 
  private:
   [[nodiscard]] Eigen::Vector3f sent(std::size_t corner, const std::array<double, 8>& share, const float* basis) const;
@@ -36,6 +34,17 @@ class LitMedium {
   int degree_;
   std::array<std::size_t, 8> corners_;  // relative to the lowest one
 };
+
+/// A medium of a stage, with the light that its points send.
+struct PlacedMedium {
+  const Transfer* transfer;
+  Pose pose;
+  std::vector<float> source;  // as LitMedium takes it
+};
+
+/// The media before what an eye sees, from front to back by the places where a ray enters their boxes. The transfer must
+/// outlive the result.
+Veil veil_of(std::vector<PlacedMedium> media, const Eigen::Vector3d& eye);
 
 /// The same bits for any number of threads. Coverage is the part of the light behind that the medium takes. Progress on
 /// standard error is labeled `what`. Throws std::invalid_argument for an unusable camera or size.

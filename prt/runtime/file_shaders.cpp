@@ -185,6 +185,11 @@ class FileShadersWriter {
     if (!transfer_.mesh.albedo_map.empty()) both("PICTURES", 1);
     const bool has_maps = !transfer_.mesh.normal_map.empty();
     if (has_maps) both("MAPS", 1);
+    std::optional<LitPass> texels;
+    if (!transfer_.mesh.atlases.heads.empty()) {
+      both("ATLASES", 1);
+      texels = add_texels(pixel);
+    }
     vertex.add("pixels.glsl");
     vertex.add("glossy_pixels.vert");
     pixel.add("pixels.glsl");
@@ -194,7 +199,22 @@ class FileShadersWriter {
     }
     add_exit(pixel);
     pixel.add("glossy_pixel.glsl");
-    shaders_.pixels = PixelShaders{vertex.text(transfer_), pixel.text(transfer_), vectors_between(transfer_)};
+    shaders_.pixels = PixelShaders{vertex.text(transfer_), pixel.text(transfer_), vectors_between(transfer_), texels};
+  }
+
+  /// The pass that gathers what the pixels of atlases read, and their functions.
+  LitPass add_texels(ShaderWriter& pixel) const {
+    const std::size_t receivers = transfer_.mesh.positions.size();
+    const std::size_t carried = vectors_carried(transfer_);
+    const std::size_t parts = carried + 1;
+    pixel.define("VERTICES", receivers);
+    pixel.define("OF_TEXEL", parts);
+    pixel.add("atlas.glsl");
+    pixel.add("texels.glsl");
+    ShaderWriter receiver = relight_;
+    if (carried > 0) receiver.define("CARRIED", carried);
+    receiver.add("of_texels.vert");
+    return {receiver.text(transfer_), "of_texels", receivers, parts};
   }
 
   void add_visibility(ShaderWriter& shader) const {
@@ -255,7 +275,7 @@ std::size_t vectors_between(const Transfer& transfer) {
   constexpr std::size_t kOfMaps = 3;
   constexpr std::size_t kOfPictures = 2;
   return vectors_carried(transfer) + kOthers + (transfer.mesh.normal_map.empty() ? 0 : kOfMaps) +
-         (transfer.mesh.albedo_map.empty() ? 0 : kOfPictures);
+         (transfer.mesh.albedo_map.empty() ? 0 : kOfPictures) + (transfer.mesh.atlases.heads.empty() ? 0 : 1);
 }
 
 std::string places_of_maps(const NormalMaps& maps) {

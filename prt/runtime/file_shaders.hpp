@@ -10,20 +10,23 @@
 
 namespace sh::prt {
 
-/// A pass before relighting, in which the light meets the means and vectors of clusters (prt/shaders/lit.glsl): `rows`
-/// points in `parts` instances, each of which writes one vec4.
+/// A pass before relighting, in which the light meets the means and vectors of clusters (prt/shaders/lit.glsl), or before
+/// pixels are shaded, in which it meets the receivers (prt/shaders/of_texels.vert): `rows` points in `parts` instances, each
+/// of which writes one vec4.
 struct LitPass {
   std::string shader;
-  std::string texture;  // that the other shader reads: lit or lit_matrices
+  std::string texture;  // that the other shader reads: lit, lit_matrices or of_texels
   std::size_t rows = 0;
   std::size_t parts = 0;
 };
 
-/// Glossy surfaces shaded at every pixel, as `prt render` does: with perspective between the vertices, and normal maps.
+/// Glossy surfaces shaded at every pixel, as `prt render` does: with perspective between the vertices or, in atlases,
+/// between texels, and normal maps.
 struct PixelShaders {
   std::string vertex;
-  std::string fragment;     // vec3 pixel_radiance(); the main function is left to the caller
-  std::size_t vectors = 0;  // 4-vectors between them
+  std::string fragment;           // vec3 pixel_radiance(); the main function is left to the caller
+  std::size_t vectors = 0;        // 4-vectors between them
+  std::optional<LitPass> texels;  // where faces lie in atlases
 };
 
 struct FileShaders {

@@ -150,6 +150,7 @@ std::vector<Eigen::Vector3f> LitStage::sent(std::size_t index, const Transferred
 
 std::vector<Eigen::Vector3f> LitStage::lit_from_afar(std::size_t index, const Eigen::Vector3d& eye) const {
   const Transfer& transfer = *object(index).transfer;
+  if (transfer.kind->in_medium) return {};
   if (transfer.kind->is_glossy()) return sent(index, reaching_from_afar(index), eye);
   if (!object(index).per_vertex) return lighting_.shading_.shade(transfer, distant_light(index));
   std::vector<Eigen::Vector3f> radiance(transfer.mesh.positions.size());
@@ -161,8 +162,8 @@ std::vector<Eigen::Vector3f> LitStage::lit_from_afar(std::size_t index, const Ei
 }
 
 std::vector<Eigen::Vector3f> LitStage::radiance(std::size_t index, const Eigen::Vector3d& eye) const {
-  if (!object(index).from_scene) return lit_from_afar(index, eye);
   const Transfer& transfer = *object(index).transfer;
+  if (!object(index).from_scene || transfer.kind->in_medium) return lit_from_afar(index, eye);
   return transfer.kind->is_glossy() ? sent(index, reaching(index), eye)
                                     : lighting_.shading_.shade(transfer, light_from_scene(index));
 }

@@ -66,10 +66,14 @@ class LitStage {
   /// Exit radiance of the vertices of merged_mesh, of glossy objects towards a point `eye` of the world. The same bits for
   /// any number of threads.
   [[nodiscard]] std::vector<Eigen::Vector3f> radiance(const Eigen::Vector3d& eye) const;
-  /// The same of one object.
+  /// The same of one object; media have none.
   [[nodiscard]] std::vector<Eigen::Vector3f> radiance(std::size_t index, const Eigen::Vector3d& eye) const;
   /// The radiance that reaches a glossy object, in its axes.
   [[nodiscard]] TransferredRadiance reaching(std::size_t index) const;
+  /// The light of an object that takes one light, as media do, in its axes.
+  [[nodiscard]] LightCoefficients light(std::size_t index) const {
+    return object(index).from_scene ? light_from_scene(index) : distant_light(index);
+  }
 
  private:
   friend class StageLighting;

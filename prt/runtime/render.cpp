@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -41,19 +42,38 @@ std::vector<Eigen::Vector3f> seen(const MirrorPaths& mirrors, const Surface& sur
   return radiance;
 }
 
-void shade_row(const std::vector<Eigen::Vector3f>& radiance, const RowOfRays& rays, const PictureSize& size, int row,
-               Picture& picture) {
+// The part of what each ray sees that is not the background.
+std::vector<float> covered(const RowOfRays& rays) {
+  std::vector<float> out;
+  for (const Hit& hit : rays.hits) out.push_back(hit.face != Hit::kNothing ? 1.0F : 0.0F);
+  return out;
+}
+
+// Puts media before what the rays see. unit: of the distances of the hits, in the world's.
+void put_before(const Veil& veil, const RowOfRays& rays, double unit, std::vector<Eigen::Vector3f>& radiance,
+                std::vector<float>& coverage) {
+  for (std::size_t k = 0; k < radiance.size(); ++k) {
+    const bool hit = rays.hits[k].face != Hit::kNothing;
+    const Marched marched = veil(rays.directions[k], hit ? unit * static_cast<double>(rays.hits[k].distance)
+                                                         : std::numeric_limits<double>::infinity());
+    radiance[k] = marched.radiance + marched.transmittance * radiance[k];
+    coverage[k] = 1.0F - marched.transmittance * (1.0F - coverage[k]);
+  }
+}
+
+void shade_row(const std::vector<Eigen::Vector3f>& radiance, const std::vector<float>& coverage,
+               const PictureSize& size, int row, Picture& picture) {
   const auto samples = static_cast<std::size_t>(size.samples);
   for (int column = 0; column < size.width; ++column) {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    int hits = 0;
+    float covers = 0.0F;
     for (std::size_t k = column * samples; k < (column + 1) * samples; ++k) {
-      hits += rays.hits[k].face != Hit::kNothing ? 1 : 0;
+      covers += coverage[k];
       sum += radiance[k];
     }
     const int pixel = row * size.width + column;
     picture.radiance[pixel] = sum / static_cast<float>(size.samples);
-    picture.coverage[pixel] = static_cast<float>(hits) / static_cast<float>(size.samples);
+    picture.coverage[pixel] = covers / static_cast<float>(size.samples);
   }
 }
 
@@ -142,7 +162,7 @@ Surface diffuse_surface(const Mesh& mesh, std::vector<Eigen::Vector3f> radiance,
 }
 
 Picture render(const Mesh& mesh, const Tracer& tracer, const Surface& surface, const Camera& camera,
-               const PictureSize& size, const Background& background, const std::string& what) {
+               const PictureSize& size, const Background& background, const std::string& what, const Veil& veil) {
   require_picture_size(size);
   const int pixels = size.width * size.height;
   Picture picture{size.width, size.height, std::vector<Eigen::Vector3f>(pixels), std::vector<float>(pixels)};
@@ -151,7 +171,10 @@ Picture render(const Mesh& mesh, const Tracer& tracer, const Surface& surface, c
   in_parallel(0, size.height, [&](int row) {
     RowOfRays rays;
     trace_row(tracer, camera, size, row, rays);
-    shade_row(seen(mirrors, surface, rays, tracer.start(camera.position), background), rays, size, row, picture);
+    std::vector<Eigen::Vector3f> radiance = seen(mirrors, surface, rays, tracer.start(camera.position), background);
+    std::vector<float> coverage = covered(rays);
+    if (veil) put_before(veil, rays, mesh.frame.unit, radiance, coverage);
+    shade_row(radiance, coverage, size, row, picture);
     progress.advance();
   });
   progress.finish();

@@ -55,6 +55,15 @@ struct Picture {
 /// The radiance that a ray in this unit direction sees if it hits nothing.
 using Background = std::function<Eigen::Vector3f(const Eigen::Vector3f& direction)>;
 
+/// What a ray gets on its way through a medium.
+struct Marched {
+  Eigen::Vector3f radiance = Eigen::Vector3f::Zero();  // of the medium
+  float transmittance = 1.0F;                          // of the light behind
+};
+
+/// The same of a ray from the eye in a unit direction to a distance in the world.
+using Veil = std::function<Marched(const Eigen::Vector3f& direction, double distance)>;
+
 /// The radiance that leaves a surface at a hit, against the direction of the ray.
 using Surface = std::function<Eigen::Vector3f(const Hit& hit, const Eigen::Vector3f& direction)>;
 
@@ -66,10 +75,10 @@ Surface diffuse_surface(const Mesh& mesh, std::vector<Eigen::Vector3f> radiance,
 /// The same without pictures.
 Surface diffuse_surface(const Mesh& mesh, std::vector<Eigen::Vector3f> radiance);
 
-/// Mirrors show the surface at which their paths end. The same bits
-/// for any number of threads. Progress on standard error is labeled `what`. Throws std::invalid_argument for an
-/// unusable camera or size.
+/// Mirrors show the surface at which their paths end. veil: empty, or media before the surfaces that the eye sees, which
+/// mirrors do not show. The same bits for any number of threads. Progress on standard error is labeled `what`. Throws
+/// std::invalid_argument for an unusable camera or size.
 Picture render(const Mesh& mesh, const Tracer& tracer, const Surface& surface, const Camera& camera,
-               const PictureSize& size, const Background& background, const std::string& what);
+               const PictureSize& size, const Background& background, const std::string& what, const Veil& veil = {});
 
 }  // namespace sh::prt

@@ -60,6 +60,7 @@ Sphere read_proxy(const JsonReader& reader, const Sphere& otherwise) {
 struct Transfers {
   using Files = std::map<std::string, std::shared_ptr<const Transfer>>;
   Files surfaces;
+  Files media;
   Files volumes;
 };
 
@@ -77,7 +78,11 @@ StageObject read_object(const JsonReader& reader, const std::string& folder, Tra
   const auto light_at = reader.find("light_at");
   object.per_vertex = light_at && light_at->one_of({"center", "vertices"}) == "vertices";
   object.file = beside(folder, object.name);
-  object.transfer = read_once(object.file, surface_kinds(), transfers.surfaces);
+  const TransferKind* const kind = kind_of_file(object.file);
+  const bool is_medium = kind != nullptr && kind->in_medium;
+  object.transfer = is_medium ? read_once(object.file, medium_kinds(), transfers.media)
+                              : read_once(object.file, surface_kinds(), transfers.surfaces);
+  if (object.per_vertex && is_medium) light_at->expected("`center` for a medium, which has no vertices");
   if (object.per_vertex && (object.transfer->shape.channels != 1 || object.transfer->kind->stores_matrices())) {
     light_at->expected("`center` for transfer with bounces, which needs one light for the whole object");
   }
@@ -86,12 +91,13 @@ StageObject read_object(const JsonReader& reader, const std::string& folder, Tra
     if (object.from_scene && object.per_vertex) from->expected("`sky` beside `light_at` vertices");
   }
   if (const auto volume = reader.find("volume")) {
-    object.volume = read_once(beside(folder, volume->text()), volume_kinds(), transfers.volumes);
+    object.volume_file = beside(folder, volume->text());
+    object.volume = read_once(object.volume_file, volume_kinds(), transfers.volumes);
     if (!object.volume->kind->stores_visibility()) {
       volume->expected("the space around an object, of kind N or NI (`prt volume` makes it)");
     }
   }
-  object.proxy = bounding_sphere(object.transfer->mesh);
+  object.proxy = is_medium ? Sphere{object.transfer->grid->box.center(), 0.0} : bounding_sphere(object.transfer->mesh);
   reader.take("proxy", object.proxy, read_proxy, object.proxy);
   return object;
 }
@@ -142,11 +148,12 @@ Stage load_stage(const std::string& file, const std::string& transfers_folder) {
   for (const JsonReader& object : objects.items()) {
     stage.objects.push_back(read_object(object, transfers_folder.empty() ? folder : transfers_folder, transfers));
   }
-  for (const auto* files : {&transfers.surfaces, &transfers.volumes}) {
+  for (const auto* files : {&transfers.surfaces, &transfers.media, &transfers.volumes}) {
     for (const auto& [name, transfer] : *files) stage.files.push_back(name);
   }
   for (const LightSpec& light : stage.lights) stage.files.push_back(light.file);
   if (stage.objects.empty()) objects.expected("at least one object");
+  if (transfers.surfaces.empty()) objects.expected("an object with surfaces; a medium alone needs no stage");
   return stage;
 }
 

@@ -1,4 +1,4 @@
-// A stage from a JSON file: baked objects that rest or move rigidly under one distant light. prt/RUNTIME.md lists the
+// A stage from a JSON file: baked objects and media that rest or move rigidly under one distant light. prt/RUNTIME.md lists the
 // keys; prt/runtime/relight_stage.hpp relights it. World axes: z up, right-handed.
 #pragma once
 #include <Eigen/Core>
@@ -44,9 +44,11 @@ struct StageObject {
   std::string file;  // the path to it
   std::shared_ptr<const Transfer> transfer;
   Motion motion;
-  Sphere proxy;  // in the object's axes; it blocks the light of other objects; a radius of 0 blocks nothing
+  Sphere
+      proxy;  // in the object's axes; it blocks the light of other objects; a radius of 0, as media have, blocks nothing
   /// The space around the object, in its axes: it blocks the light of other objects in place of the proxy. Null: none.
   std::shared_ptr<const Transfer> volume;
+  std::string volume_file;  // the path to it
   bool per_vertex = false;  // true: light is gathered at every vertex; false: once, at the proxy's center
   /// True: the light at the proxy's center is what the lit surfaces of the other objects and the sky around them send there,
   /// sampled for every frame. False: it is the distant light, less what the others block.

@@ -14,6 +14,14 @@ vec3 pixel_radiance() {  // linear
 #else
     direct(0, reaching);
 #endif
+#ifdef EMITTED
+    vec3 emitted = at_emitted;
+#else
+    vec3 emitted = vec3(0.0);
+#endif
+#ifdef ATLASES
+    if (at_atlas.z > 0.5) between_texels(receivers_at(at_atlas.xy, int(at_atlas.z - 0.5)), reaching, emitted);
+#endif
     Place place = Place(unit(at_normal), at_albedo, vec3(0.0), 0.0, 0.0);
 #ifdef PICTURES
     if (has_picture) place.albedo = min(at_tint * texture(picture, at_picture).rgb, 1.0);
@@ -28,9 +36,5 @@ vec3 pixel_radiance() {  // linear
 #ifdef MAPS
     place.normal = mapped_normal(place.normal);
 #endif
-    vec3 radiance = exit_radiance(place, unit(eye - at_position), reaching);
-#ifdef EMITTED
-    radiance += at_emitted;
-#endif
-    return radiance;
+    return exit_radiance(place, unit(eye - at_position), reaching) + emitted;
 }

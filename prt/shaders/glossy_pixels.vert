@@ -8,6 +8,9 @@ layout(location = 9) in vec3 texture_place;      // coordinates, 1 + number of t
 layout(location = 10) in vec3 tangent;           // unit, along u: of the faces around that show the picture,
 layout(location = 11) in vec3 mirrored_tangent;  // and of those that mirror it
 #endif
+#ifdef ATLASES
+layout(location = 14) in vec3 place_in_atlas;  // coordinates, 1 + number of the atlas or 0
+#endif
 
 void main() {
 #ifdef CARRIED
@@ -35,6 +38,9 @@ void main() {
     at_texture = texture_place;
     at_tangent = tangent;
     at_mirrored = mirrored_tangent;
+#endif
+#ifdef ATLASES
+    at_atlas = place_in_atlas;
 #endif
     gl_Position = to_clip * vec4(position, 1.0);
 }

@@ -30,10 +30,10 @@ constexpr std::pair<std::string_view, std::string_view> kTexts[] = {
 /// In the order in which they need each other.
 constexpr std::string_view kModule[] = {"checksum.js", "transfer_file.js", "kernels.js", "relight.js"};
 constexpr std::string_view kPage[] = {
-    "vectors.js",       "stage.js",    "camera.js",     "pixels.js",  "light.js",    "light_picture.js",
-    "radiance_file.js", "exr_file.js", "light_file.js", "state.js",   "embedded.js", "lighting.js",
-    "pick.js",          "surfaces.js", "picture.js",    "subject.js", "ball.js",     "medium.js",
-    "input.js",         "panel.js",    "overlay.js",    "main.js"};
+    "vectors.js",       "stage.js",         "neighborhood.js", "camera.js",     "pixels.js",  "light.js",
+    "light_picture.js", "radiance_file.js", "exr_file.js",     "light_file.js", "state.js",   "embedded.js",
+    "lighting.js",      "pick.js",          "atlas.js",        "surfaces.js",   "picture.js", "subject.js",
+    "ball.js",          "medium.js",        "input.js",        "panel.js",      "overlay.js", "main.js"};
 constexpr std::string_view kShaders[] = {"tone.glsl",           "light.glsl",    "picture.vert",  "picture.frag",
                                          "picture_pixels.frag", "surfaces.vert", "surfaces.frag", "medium.vert",
                                          "medium.frag",         "ball.vert",     "ball.frag"};
@@ -99,6 +99,9 @@ std::string without_comments(std::string_view text) {
   return out;
 }
 
+/// Whether it is the space around an object of a stage.
+bool is_volume(const Transfer& transfer) { return transfer.grid && !transfer.kind->in_medium; }
+
 /// What the shaders of a file depend on, as relight.js looks at its header.
 Json needs_of(const Transfer& transfer) {
   const Json header = Json::parse(transfer_header(transfer));
@@ -115,12 +118,26 @@ Json needs_of(const Transfer& transfer) {
           {"brdfs", header.contains("brdfs")}};
 }
 
+Json json_of(const LitPass& pass) {
+  return {{"shader", pass.shader}, {"texture", pass.texture}, {"rows", pass.rows}, {"parts", pass.parts}};
+}
+
 Json shaders_of(const Transfer& transfer, const FileShaders& shaders) {
   Json lit = Json::array();
-  for (const LitPass& pass : shaders.lit) {
-    lit.push_back({{"shader", pass.shader}, {"texture", pass.texture}, {"rows", pass.rows}, {"parts", pass.parts}});
-  }
+  for (const LitPass& pass : shaders.lit) lit.push_back(json_of(pass));
   return {{"needs", needs_of(transfer)}, {"relight", shaders.relight}, {"lit", lit}};
+}
+
+Json all_shaders_of(const Transfer& transfer) {
+  const FileShaders shaders = file_shaders(transfer);
+  Json json = shaders_of(transfer, shaders);
+  if (shaders.pixels) {
+    json["pixels"] = {{"vertex", shaders.pixels->vertex},
+                      {"fragment", shaders.pixels->fragment},
+                      {"vectors", shaders.pixels->vectors}};
+    if (shaders.pixels->texels) json["pixels"]["texels"] = json_of(*shaders.pixels->texels);
+  }
+  return json;
 }
 
 /// Of rows that the page makes itself: for objects that gather light at their vertices, under the shadows of others.
@@ -155,6 +172,10 @@ Json kernels_of_page(const Viewed& viewed, int degree) {
   }
   for (const ViewedFile& file : viewed.files) {
     const Transfer& transfer = *file.transfer;
+    if (is_volume(transfer)) {
+      add_kernels({"basis"}, transfer.shape.function_degree(), kernels);
+      continue;
+    }
     add_kernels({"basis", "rotate"}, transfer.degree(), kernels);
     add_kernels({"evaluate_rgb"}, transfer.shape.function_degree(), kernels);
     add_kernels_of_uniforms(transfer, kernels);
@@ -198,13 +219,7 @@ Json json_of(const Camera& camera) {
 
 Json json_of(const ViewedFile& file, FilesOfPage where, std::size_t number) {
   Json json = {{"name", file.name}, {"bytes", file.bytes.size()}};
-  const FileShaders shaders = file_shaders(*file.transfer);
-  json.update(shaders_of(*file.transfer, shaders));
-  if (shaders.pixels) {
-    json["pixels"] = {{"vertex", shaders.pixels->vertex},
-                      {"fragment", shaders.pixels->fragment},
-                      {"vectors", shaders.pixels->vectors}};
-  }
+  json.update(is_volume(*file.transfer) ? Json{{"isVolume", true}} : all_shaders_of(*file.transfer));
   if (where == FilesOfPage::kServed) {
     json["url"] = fmt::format("file/{}", number);
   } else {
@@ -213,7 +228,7 @@ Json json_of(const ViewedFile& file, FilesOfPage where, std::size_t number) {
   return json;
 }
 
-Json json_of(const StageObject& object, std::size_t file) {
+Json json_of(const StageObject& object, std::size_t file, std::optional<std::size_t> volume) {
   Json keys = Json::array();
   for (const Motion::Key& key : object.motion.keys) {
     keys.push_back({{"time", key.time}, {"position", xyz(key.position)}, {"degrees", key.degrees}});
@@ -222,6 +237,7 @@ Json json_of(const StageObject& object, std::size_t file) {
                {"axis", xyz(object.motion.axis)},
                {"keys", keys},
                {"proxy", {{"center", xyz(object.proxy.center)}, {"radius", object.proxy.radius}}}};
+  if (volume) json["volume"] = *volume;
   if (object.per_vertex) json["rows"] = shaders_of_rows(*object.transfer);
   return json;
 }
@@ -230,7 +246,7 @@ Json json_of(const ViewedSubject& subject) {
   Json objects = Json::array();
   for (std::size_t i = 0; i < subject.files.size(); ++i) {
     objects.push_back(subject.objects.empty() ? Json{{"file", subject.files[i]}}
-                                              : json_of(subject.objects[i], subject.files[i]));
+                                              : json_of(subject.objects[i], subject.files[i], subject.volumes[i]));
   }
   return {{"name", subject.name}, {"title", subject.title}, {"objects", objects}};
 }
@@ -265,6 +281,7 @@ std::string viewer_page(const Viewed& viewed, const ViewedLight& light, const st
                {"fejer", fejer_kernels(degree)},
                {"kernels", kernels_of_page(viewed, degree)}};
   for (const std::string_view shader : kShaders) data["shaders"][std::string(shader)] = text_of(shader);
+  data["shaders"]["atlas.glsl"] = shader_text("atlas.glsl");
   data["served"] = where == FilesOfPage::kServed;
   if (camera) data["camera"] = json_of(*camera);
   for (std::size_t i = 0; i < viewed.files.size(); ++i) data["files"].push_back(json_of(viewed.files[i], where, i));

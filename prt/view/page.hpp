@@ -23,10 +23,11 @@ struct ViewedFile {
 
 /// What a page shows at a time: a transfer file, or the objects of a stage.
 struct ViewedSubject {
-  std::string name;                  // of its file
-  std::string title;                 // of its scene
-  std::vector<std::size_t> files;    // of each object: its place among those of the page
-  std::vector<StageObject> objects;  // how they stand on their stage; empty for a transfer file
+  std::string name;                                 // of its file
+  std::string title;                                // of its scene
+  std::vector<std::size_t> files;                   // of each object: its place among those of the page
+  std::vector<StageObject> objects;                 // how they stand on their stage; empty for a transfer file
+  std::vector<std::optional<std::size_t>> volumes;  // of each object of a stage: the place of the space around it
 };
 
 /// At least one subject.

@@ -264,6 +264,9 @@ TEST(EmittedPixels, RefuseWhatTheyCannotShow) {
   Transfer mixed = transfer_on(kGlossyShadowed, 2, polished_sheets());
   mixed.mesh.exponent[1] += 1.0F;
   EXPECT_NE(refusal(mixed).find("several BRDFs or lobes"), std::string::npos) << refusal(mixed);
+  Transfer texels = transfer_on(kGlossyShadowed, 2, sheets());
+  texels.mesh.atlases.heads.push_back({1, 1, 0, 1});
+  EXPECT_NE(refusal(texels).find("texels of an atlas"), std::string::npos) << refusal(texels);
   const std::string large = refusal(transfer_on(kGlossyShadowed, 5, sheets()));
   EXPECT_NE(large.find("33 4-vectors"), std::string::npos) << large;
   EXPECT_NE(message_of([] {

@@ -199,7 +199,7 @@ TEST(Volume, GoesOnFromACheckpointWithFewerRaysAndTheSameBits) {
 
 TEST(Volume, HasADefaultBoxAroundItsObject) {
   const Mesh mesh = ball(0.5F);
-  const Eigen::AlignedBox3d box = box_around(mesh);
+  const Eigen::AlignedBox3d box = default_box(around(mesh), {});
   const double margin = kBoxMargin * 0.5 * std::sqrt(3.0);
   EXPECT_NEAR((box.max() - Eigen::Vector3d::Constant(0.5 + margin)).norm(), 0.0, 1e-5);
   EXPECT_NEAR((box.min() + Eigen::Vector3d::Constant(0.5 + margin)).norm(), 0.0, 1e-5);

@@ -102,11 +102,6 @@ TEST_F(VolumeTool, ReflectsOnRequestAndAStageShowsIt) {
   EXPECT_FALSE(frame(folder->file("lit.json")) == frame(folder->file("dark.json")));
 }
 
-TEST_F(VolumeTool, APageRefusesAStageWithVolumes) {
-  expect_refused({"view", scenes + "glider/stage.json", "--transfers", folder->file(""), "-o", folder->file("x.html")},
-                 "a page shadows objects by spheres");
-}
-
 TEST_F(VolumeTool, GoesOnAfterAnInterruptionWithTheSameBytes) {
   const Arguments command = {
       "volume", wing, "--counts", "24,24,12", "--directions", "2048", "--threads", "1", "--checkpoint-seconds", "0"};

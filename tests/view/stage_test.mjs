@@ -56,6 +56,36 @@ test('Radiance is that of prt relight, at several times and degrees, under a tur
   });
 });
 
+test('The space around an object shadows the others as prt relight has it, at centers and vertices', async () => {
+  bake('shining', { primitive: 'sphere', albedo: [0.2, 0.2, 0.3], specular: [0.3, 0.3, 0.3], exponent: 8, max_edge: 0.4 }, 3, 'glossy_shadowed', '--plan', 'none');
+  for (const [element, degree] of [['single', 2], ['byte', 3]]) {
+    prt('volume', 'torus.json', '-o', `around_${element}.transfer`, '--counts', '9,9,7', '--directions', 128, '--element', element, '--degree', degree, '--result-degree', 4);
+    const torus = { ...kObjects[0], volume: `around_${element}.transfer` };
+    const shining = { transfer: 'shining.transfer', position: [-1.5, -1, 0.5], rotate: { axis: [1, 2, 3], degrees: 50 } };
+    writeJson('around.json', { name: 'around', objects: [torus, ...kObjects.slice(1), shining], lights: kLights, camera: kCamera });
+    prt('view', 'around.json', '-o', 'around.html');
+    const eye = kCamera.position.join(',');
+    prt('relight', 'around.json', '-o', 'around.ply', '--frames', 3, '--eye', eye);
+    prt('relight', 'around.json', '-o', 'around_low.ply', '--degree', 1, '--eye', eye);
+    writeJson('spheres.json', { name: 'spheres', objects: [kObjects[0], ...kObjects.slice(1), shining], lights: kLights });
+    prt('relight', 'spheres.json', '-o', 'spheres.ply', '--eye', eye);
+    await withPage('around.html', async (page) => {
+      for (const [name, state] of [['around_000', { time: 0 }], ['around_001', { time: 1 / 3 }], ['around_002', { time: 2 / 3 }], ['around_low', { time: 0, degree: 1 }]]) {
+        await set(page, state);
+        const difference = relativeDifference(await radianceOf(page), radianceOfPly(`${name}.ply`));
+        console.log(`  ${name}, ${element}: largest difference ${difference.toExponential(2)}`);
+        assert.ok(difference <= 2e-6, `${name}: ${difference}`);
+      }
+      assert.ok(relativeDifference(radianceOfPly('around_000.ply'), radianceOfPly('spheres.ply')) > 0.01, 'the volume matters');
+    }, kSize);
+  }
+  prt('volume', 'torus.json', '-o', 'sent.transfer', '--counts', '3,3,3', '--directions', 64, '--reflected');
+  writeJson('sent.json', { objects: [{ ...kObjects[0], volume: 'sent.transfer' }, kObjects[1]] });
+  assert.match(refusal('view', 'sent.json', '-o', 'bad.html'), /expected `volume` without `--reflected`$/);
+  writeJson('twice.json', { objects: [{ ...kObjects[0], volume: 'around_byte.transfer' }, { ...kObjects[0], position: [9, 9, 9], volume: 'around_byte.transfer' }] });
+  assert.match(refusal('view', 'twice.json', '-o', 'bad.html'), /expected one object with `volume`$/);
+});
+
 test('A stage plays until it is told to rest', async () => {
   await withPage('stage.html', async (page) => {
     await set(page, { time: 0.99 });

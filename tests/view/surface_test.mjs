@@ -1,4 +1,4 @@
-// Diffuse surfaces whose receivers are texels, or that have textures: pictures beside `prt render`.
+// Surfaces whose receivers are texels, or that have textures: pictures beside `prt render`.
 import assert from 'node:assert';
 import fs from 'node:fs';
 import { test } from 'node:test';
@@ -26,14 +26,14 @@ function scene(name, { texels = 48, bake = {} } = {}) {
   });
 }
 
-async function compare(name) {
+async function compare(name, limit = kLimit) {
   const shown = await withPage(`${name}.html`, async (page) => {
     await set(page, { exposure: 0.5 });
     return { picture: await canvasPicture(page), rendered: await pictureOf(page, inFolder(`${name}.png`)) };
   }, kSize);
   const difference = rootMeanSquare(shown.picture, shown.rendered);
   console.log(`  ${name}: rms ${difference.toFixed(4)}`);
-  assert.ok(difference < kLimit, `${name}: rms ${difference}`);
+  assert.ok(difference < limit, `${name}: rms ${difference}`);
   return shown.picture;
 }
 
@@ -59,6 +59,34 @@ test('Textures of glossy surfaces show as prt render shows them', async (context
     prt('view', `${kind}.transfer`, '--scene', `${kind}.json`, '-o', `${kind}.html`);
     await compare(kind);
   }
+});
+
+// A shining floor of two triangles and a rough ball that may glow, each with an atlas; a metal ball without any casts shadows.
+function glossyScene(name, texels, glows) {
+  const emission = glows ? { emission: [0.2, 0.05, 0] } : {};
+  return writeJson(name, {
+    name: 'surfaces', lights: kSky, camera: kCamera, bake: { degree: 4, directions: 256 },
+    meshes: [
+      { primitive: 'plane', albedo: [0.4, 0.3, 0.2], specular: [0.3, 0.3, 0.3], exponent: 12, texels, transform: { scale: 4, translate: [0, 0, -0.5] } },
+      { primitive: 'sphere', albedo: [0.3, 0.5, 0.7], ...emission, texels: Math.min(texels, 24), transform: { scale: 0.8, translate: [1.3, -0.3, -0.05] } },
+      { primitive: 'sphere', segments: 24, albedo: [0.9, 0.7, 0.3], roughness: 0.5, metallic: 1, transform: { scale: 1.2, translate: [-0.6, 0.2, 0.15] } },
+    ],
+  });
+}
+
+test('Texels of glossy surfaces show as prt render shows them, for every glossy kind', async () => {
+  const pictures = {};
+  for (const [name, texels, ...words] of [
+    ['gu', 32, '--kind', 'glossy_unshadowed'], ['gs', 48, '--kind', 'glossy_shadowed'], ['gs_coarse', 1, '--kind', 'glossy_shadowed'],
+    ['gs_clustered', 48, '--kind', 'glossy_shadowed', '--compress', 8, 4], ['gi', 24, '--kind', 'glossy_interreflected'],
+    ['gi_clustered', 40, '--kind', 'glossy_interreflected', '--compress', 8, 4]]) {
+    glossyScene(`${name}.json`, texels, !name.startsWith('gi'));
+    prt('bake', `${name}.json`, '-o', `${name}.transfer`, '--no-checkpoint', '--plan', 'none', ...words);
+    prt('render', `${name}.transfer`, '--scene', `${name}.json`, '-o', `${name}.png`, '--width', kWidth, '--height', kHeight, '--fixed-exposure', 0.5, '--background', 'grey', '--samples', 16);
+    prt('view', `${name}.transfer`, '--scene', `${name}.json`, '-o', `${name}.html`);
+    pictures[name] = await compare(name, 0.005);  // seen: 0.0028, at the edges
+  }
+  assert.ok(rootMeanSquare(pictures.gs, pictures.gs_coarse) > 0.02, 'the texels are seen');
 });
 
 test('Textures and texels show as prt render shows them, for every diffuse kind', async (context) => {

@@ -28,7 +28,10 @@ class Viewer {
   async start() {
     const { data, gl } = this;
     const files = [];
-    for (const file of data.files) files.push(await withPictures(fileOf(file, await bytesOf(file), data.kernels)));
+    for (const given of data.files) {
+      const file = fileOf(given, await bytesOf(given), data.kernels);
+      files.push(file.volume ? file : await withPictures(file));
+    }
     this.subjects = data.subjects.map((subject, number) => {
       const file = files[subject.objects[0].file];
       return file.baked.transfer.grid ? new Medium(gl, subject, file, number, data.kernels) : new Subject(gl, subject, files, number);

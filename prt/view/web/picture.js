@@ -1,6 +1,7 @@
 // Draws relit meshes, and measures the exposure as `prt render` does.
 import { programOf } from './relight.js';
 import { minus } from './vectors.js';
+import { AtlasTexels } from './atlas.js';
 import { Pictures, surfacesOf } from './surfaces.js';
 
 export const kTones = ['neutral', 'reinhard', 'linear'];
@@ -43,7 +44,9 @@ export class DrawnMesh {
     this.point(1, relighter.radiance);
     this.point(2, relighter.radiance);
     this.surfaces = surfacesOf(gl, this);
-    this.pictures = this.hasPixels && relighter.baked.transfer.albedoMaps.length > 0 ? new Pictures(gl, this) : null;
+    const { transfer, runtime } = relighter.baked;
+    this.pictures = this.hasPixels && transfer.albedoMaps.length > 0 ? new Pictures(gl, this) : null;
+    this.texels = this.hasPixels && runtime.shaders.pixels.texels ? new AtlasTexels(gl, transfer) : null;
   }
 
   giveFaces(arrays) {
@@ -77,9 +80,12 @@ export class DrawnMesh {
   drawFaces(program, hasPictures) {
     const { gl } = this;
     if (hasPictures && this.surfaces) return this.surfaces.draw();
-    if (hasPictures && this.pictures) return this.pictures.draw(program, Object.keys(this.relighter.textures).length);
+    if (hasPictures && this.pictures) return this.pictures.draw(program, this.units);
     return gl.drawElements(gl.TRIANGLES, this.count, gl.UNSIGNED_INT, 0);
   }
+
+  /** The texture units that the relighter takes. */
+  get units() { return Object.keys(this.relighter.textures).length; }
 
   pixelProgram(shaders) {
     const { vertex, fragment } = this.relighter.baked.runtime.shaders.pixels;
@@ -101,6 +107,7 @@ export class Picture {
     if (mode !== 1 && mesh.hasPixels) {
       const program = mesh.pixelProgram(this.shaders);
       mesh.relighter.use(program, mesh.relighter.arrays);
+      mesh.texels?.use(program, mesh.units + 1);
       return program;
     }
     if (mode !== 1 && mesh.surfaces) return mesh.surfaces.use(this.shaders);

@@ -1,6 +1,7 @@
 // What glossy surfaces need to be shaded pixel by pixel: places in the pictures of their albedo and, under normal maps,
-// textures, and tangents of the vertices as prt/runtime/shading_normals.cpp has them.
+// textures, places in atlases, and tangents of the vertices as prt/runtime/shading_normals.cpp has them.
 import { texture } from './relight.js';
+import { placesInAtlases } from './atlas.js';
 import { cross, dotOf, minus, plus, unit } from './vectors.js';
 
 const rowOf = (array, width, row) => [...array.subarray(width * row, width * (row + 1))];
@@ -49,10 +50,12 @@ function tangentsOf({ vertices, sections }) {
 
 /** A loaded file with what the shaders of its pixels read besides. */
 export function withPixels(baked) {
-  const { sections } = baked.transfer;
+  const { sections, atlases } = baked.transfer;
   if (!baked.runtime.shaders.pixels) return baked;
-  const ofPictures = [['picture_place', 12, 2, sections.texture], ['tint', 13, 3, sections.tint]];
-  const attributes = ofPictures.filter(() => sections.albmap).map(([name, location, components, array]) => ({ name, location, components, array }));
+  const all = [];
+  if (sections.albmap) all.push(['picture_place', 12, 2, sections.texture], ['tint', 13, 3, sections.tint]);
+  if (atlases.length > 0) all.push(['place_in_atlas', 14, 3, placesInAtlases(baked.transfer)]);
+  const attributes = all.map(([name, location, components, array]) => ({ name, location, components, array }));
   return withNormalMaps({ ...baked, attributes: [...baked.attributes, ...attributes] });
 }
 

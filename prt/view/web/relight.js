@@ -216,19 +216,21 @@ export class Relighter {
     }
     gl.bindVertexArray(null);
     this.nothing = gl.createVertexArray();
-    this.passes = baked.runtime.shaders.lit.map((pass) => this.passOf(pass));
+    const { lit, pixels } = baked.runtime.shaders;
+    this.passes = lit.map((pass) => this.passOf(pass, 'lit', this.nothing));
+    if (pixels?.texels) this.passes.push(this.passOf(pixels.texels, 'of_texel', this.arrays));
     this.program = programOf(gl, baked.runtime.shaders.relight, kNothing, ['radiance']);
     this.feedback = gl.createTransformFeedback();
     /** Linear RGB radiance of every vertex, 3 floats each. */
     this.radiance = this.bufferFor(12 * baked.transfer.vertices);
   }
 
-  passOf({ shader, texture: name, rows, parts }) {
+  passOf({ shader, texture: name, rows, parts }, captured, arrays) {
     const gl = this.gl;
     const height = Math.max(1, Math.ceil((parts * rows) / kLitWidth));
     this.textures[name] = upload(gl, { name, format: 'RGBA32F', width: kLitWidth, height });
-    const program = programOf(gl, shader, kNothing, ['lit']);
-    return { name, program, rows, parts, buffer: this.bufferFor(16 * kLitWidth * height) };
+    const program = programOf(gl, shader, kNothing, [captured]);
+    return { name, program, arrays, rows, parts, buffer: this.bufferFor(16 * kLitWidth * height) };
   }
 
   bufferFor(bytes) {
@@ -247,7 +249,7 @@ export class Relighter {
   relight(light, { eye = [0, 0, 0], surface = null, waits = false } = {}) {
     this.uniforms = { ...uniformsOf(this.baked, light), eye: Float32Array.from(eye) };
     for (const pass of this.passes) {
-      this.use(pass.program, this.nothing);
+      this.use(pass.program, pass.arrays);
       this.capture(pass.buffer, pass.rows, pass.parts);
       this.copyToTexture(pass.buffer, this.textures[pass.name]);
     }

@@ -33,11 +33,11 @@ function capSeenFrom(from, center, radius) {
   return { direction: unit(towards), oneMinusCos: distance > radius ? q / (1 + Math.sqrt(1 - q)) : 1 };
 }
 
-/** The caps that the other objects cover as seen from a point of the world, in the axes of object `index`. */
+/** The caps that the other objects without a volume cover as seen from a point of the world, in the axes of object `index`. */
 export function capsSeenFrom(objects, poses, index, point) {
   const back = transposed(poses[index].rotation);
-  return objects.flatMap(({ proxy }, k) => {
-    if (k === index || !(proxy?.radius > 0)) return [];
+  return objects.flatMap(({ proxy, volume }, k) => {
+    if (k === index || volume || !(proxy?.radius > 0)) return [];
     const cap = capSeenFrom(point, placed(poses[k], proxy.center), proxy.radius);
     return [{ ...cap, direction: unit(applied(back, cap.direction)) }];
   });

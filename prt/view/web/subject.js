@@ -1,9 +1,11 @@
 // What is shown at a time: a transfer file, or the objects of a stage, each with its own transfer, pose and light.
-import { FileError, numbersOf } from './transfer_file.js';
+import { FileError, numbersOf, readTransfer } from './transfer_file.js';
+import { kernelsOf } from './kernels.js';
 import { bakedOf, inDegree, load, Relighter, requireKept, turned } from './relight.js';
 import { withPixels } from './pixels.js';
-import { capsSeenFrom, isTurned, placed, poseAt, withoutCap } from './stage.js';
-import { applied, transposed } from './vectors.js';
+import { capsSeenFrom, isTurned, placed, poseAt, unplaced, withoutCap } from './stage.js';
+import { Volume } from './neighborhood.js';
+import { applied, composed, transposed } from './vectors.js';
 import { localEye, toClip } from './camera.js';
 import { vertexAlong } from './pick.js';
 import { DrawnMesh, sphereAround } from './picture.js';
@@ -17,8 +19,9 @@ export function naming(name, make) {
   }
 }
 
-/** A file of the page, checked: {name, bytes, baked}. `given` has its shaders. Throws FileError. */
+/** A file of the page, checked: {name, bytes, baked}, or {name, bytes, volume}. `given` has its shaders. Throws FileError. */
 export function fileOf(given, bytes, kernels) {
+  if (given.isVolume) return naming(given.name, () => ({ name: given.name, bytes: bytes.length, volume: new Volume(readTransfer(bytes), kernelsOf(kernels)) }));
   return naming(given.name, () => ({ name: given.name, bytes: bytes.length, baked: withPixels(load(bytes, { shaders: given, kernels })) }));
 }
 
@@ -31,9 +34,11 @@ function bakedForRows({ transfer, runtime, pictures }, shaders) {
 }
 
 class StagedObject {
-  constructor(gl, given, file) {
+  constructor(gl, given, files) {
     Object.assign(this, given);  // of a stage: axis, keys, proxy
+    const file = files[given.file];
     this.file = file;
+    this.volume = files[given.volume]?.volume;
     this.transfer = file.baked.transfer;
     this.gathersAtVertices = Boolean(given.rows);
     this.relighter = naming(file.name, () => new Relighter(gl, given.rows ? bakedForRows(file.baked, given.rows) : file.baked));
@@ -62,17 +67,20 @@ class StagedObject {
     return [least, most].map((corner) => corner.map((x, k) => origin[k] + size * x));
   }
 
-  /** The row of a vertex under the shadows of `caps`: with the light it gives what the row gives with the shadowed light. */
-  shadowedRow(index, highest, caps) {
+  /** The row of a vertex under the shadows of the others: with the light it gives what the row gives with the shadowed light. */
+  shadowedRow(index, highest, { caps, behind }) {
     const row = numbersOf(this.transfer, index).fill(0, (highest + 1) ** 2);
-    return caps.reduceRight((values, cap) => withoutCap(this.functions, highest, values, cap), row);
+    const values = caps.reduceRight((rest, cap) => withoutCap(this.functions, highest, rest, cap), row);
+    return behind ? behind(highest, values, true) : values;
   }
 
-  shadowedLight(light, highest, caps) {
+  shadowedLight(light, highest, { caps, behind }) {
     const n = (light.degree + 1) ** 2;
     const values = new Float64Array(3 * n);
     for (let c = 0; c < 3; ++c) {
-      values.set(caps.reduce((channel, cap) => withoutCap(this.functions, highest, channel, cap), light.values.slice(c * n, (c + 1) * n)), c * n);
+      const own = light.values.slice(c * n, (c + 1) * n);
+      const seen = behind ? behind(highest, own, false) : own;
+      values.set(caps.reduce((channel, cap) => withoutCap(this.functions, highest, channel, cap), seen), c * n);
     }
     return { degree: light.degree, values };
   }
@@ -82,14 +90,14 @@ export class Subject {
   /** files: of the page, as fileOf gives them; number: its place among the subjects. */
   constructor(gl, { name, objects }, files, number) {
     this.number = number;
-    this.objects = objects.map((given) => new StagedObject(gl, given, files[given.file]));
+    this.objects = objects.map((given) => new StagedObject(gl, given, files));
     this.name = name;
     this.isStage = objects.some(({ keys }) => keys);
     this.moves = objects.some(({ keys = [] }) => keys.length > 1);
     this.isGlossy = this.objects.some(({ transfer }) => transfer.isGlossy);
     this.dependsOnEye = this.isGlossy;
     this.vertices = this.objects.reduce((sum, { transfer }) => sum + transfer.vertices, 0);
-    this.bytes = [...new Set(this.objects.map(({ file }) => file))].reduce((sum, file) => sum + file.bytes, 0);
+    this.bytes = [...new Set(objects.flatMap(({ file, volume }) => [files[file], files[volume]].filter(Boolean)))].reduce((sum, file) => sum + file.bytes, 0);
     this.place(0);
   }
 
@@ -117,22 +125,35 @@ export class Subject {
     if (!this.isStage) return light;
     const own = inDegree(light, object.transfer.shape.degree);
     const seen = isTurned(this.poses[k]) ? turned(object.file.baked.kernels, own, transposed(this.poses[k].rotation)) : own;
-    if (!object.gathersAtVertices) return object.shadowedLight(seen, highest, this.capsAt(k, object.proxy.center));
-    requireKept(object.transfer, object.shadowedLight(seen, highest, this.capsAt(k, object.point(0))));
-    this.shadowRows(object, k, highest);
+    const shadowsAt = this.shadowsOn(k);
+    if (!object.gathersAtVertices) return object.shadowedLight(seen, highest, shadowsAt(object.proxy.center));
+    requireKept(object.transfer, object.shadowedLight(seen, highest, shadowsAt(object.point(0))));
+    this.shadowRows(object, k, highest, shadowsAt);
     return seen;
   }
 
-  capsAt(k, point) { return capsSeenFrom(this.objects, this.poses, k, placed(this.poses[k], point)); }
+  // The shadows of the others at a point of object k: the caps that they cover, and what a volume makes of a function.
+  shadowsOn(k) {
+    const { degree } = this.objects[k].transfer.shape;
+    const at = this.objects.findIndex(({ volume }, i) => volume && i !== k);
+    const volume = this.objects[at]?.volume;
+    const basis = volume?.basisOf(this.objects[k].functions.basis, degree, composed(transposed(this.poses[k].rotation), this.poses[at].rotation));
+    return (point) => {
+      const inWorld = placed(this.poses[k], point);
+      const seen = volume?.seenFrom(unplaced(this.poses[at], inWorld));
+      return { caps: capsSeenFrom(this.objects, this.poses, k, inWorld),
+               behind: seen && ((highest, values, isRow) => volume.behind(seen, basis, highest, values, isRow)) };
+    };
+  }
 
-  shadowRows(object, k, highest) {
-    const others = this.objects.map(({ proxy }, i) => i === k || (proxy.radius > 0 && this.poses[i]));
+  shadowRows(object, k, highest, shadowsAt) {
+    const others = this.objects.map(({ proxy, volume }, i) => i === k || ((volume || proxy.radius > 0) && this.poses[i]));
     const key = JSON.stringify([highest, this.poses[k], others]);
     if (object.shadowed === key) return;
     object.shadowed = key;
     const { vertices, shape } = object.transfer;
     const rows = new Float32Array(vertices * shape.count);
-    for (let v = 0; v < vertices; ++v) rows.set(object.shadowedRow(v, highest, this.capsAt(k, object.point(v))), v * shape.count);
+    for (let v = 0; v < vertices; ++v) rows.set(object.shadowedRow(v, highest, shadowsAt(object.point(v))), v * shape.count);
     object.relighter.setNumbers('transfer', rows);
   }
 

@@ -2,9 +2,7 @@
 // prt/rays/receivers_at.hpp and prt/runtime/surface_colors.hpp have it.
 import { FileError } from './transfer_file.js';
 import { programOf } from './relight.js';
-
-const kWide = 4096;  // of textures that hold one thing after another, as surfaces.frag reads them
-const kMostAtlases = 32;
+import { AtlasTexels, kWide, placesInAtlases, wideTexture } from './atlas.js';
 
 /** A file of the page with its pictures decoded: baked.pictures. Throws FileError. */
 export async function withPictures(file) {
@@ -18,38 +16,6 @@ export async function withPictures(file) {
   }
   return file;
 }
-
-// The vertex that each pixel of an atlas stands for: its texel, or the one that is nearest ring by ring.
-function verticesOf({ width, height, first }, texels) {
-  const vertices = new Uint32Array(width * height).fill(0xFFFFFFFF);
-  let edge = [];
-  texels.forEach((pixel, i) => {
-    vertices[pixel] = first + i;
-    edge.push(pixel);
-  });
-  while (edge.length > 0) {
-    const next = [];
-    for (const pixel of edge) {
-      const column = pixel % width, row = (pixel - column) / width;
-      for (let y = Math.max(row - 1, 0); y <= Math.min(row + 1, height - 1); ++y) {
-        for (let x = Math.max(column - 1, 0); x <= Math.min(column + 1, width - 1); ++x) {
-          if (vertices[y * width + x] !== 0xFFFFFFFF) continue;
-          vertices[y * width + x] = vertices[pixel];
-          next.push(y * width + x);
-        }
-      }
-    }
-    edge = next;
-  }
-  return vertices;
-}
-
-const inRows = (numbers, components) => {
-  const rows = Math.max(1, Math.ceil(numbers.length / components / kWide));
-  const padded = new numbers.constructor(rows * kWide * components);
-  padded.set(numbers);
-  return { rows, padded };
-};
 
 /** What a DrawnMesh of a file with atlases or pictures needs besides; null for other files, and for glossy ones. */
 export function surfacesOf(gl, mesh) {
@@ -117,24 +83,20 @@ class Surfaces {
     this.gl = gl;
     this.mesh = mesh;
     const { transfer } = mesh.relighter.baked;
-    if (transfer.atlases.length > kMostAtlases) {
-      throw new FileError(`${transfer.atlases.length} atlases: a page shows at most ${kMostAtlases} in a file`);
-    }
     this.vertices = transfer.vertices;
     this.textures = {};
     this.addAttributes(transfer);
     this.addReceivers(transfer);
+    this.texels = new AtlasTexels(gl, transfer);
     this.pictures = new Pictures(gl, mesh);
   }
 
   // Attributes of vertices, which stand for zeros where the file has none.
-  addAttributes({ sections, vertices }) {
-    const { chart = [], atlas = [], texture = [], tint = [], albedo, emitted = [] } = sections;
-    const places = new Float32Array(3 * vertices);
-    atlas.forEach((number, v) => places.set([chart[2 * v], chart[2 * v + 1], number], 3 * v));
-    this.attribute(3, 3, places);
+  addAttributes(transfer) {
+    const { texture = [], tint = [], albedo, emitted = [] } = transfer.sections;
+    this.attribute(3, 3, placesInAtlases(transfer));
     [[4, 2, texture], [5, 3, tint], [6, 3, albedo], [7, 3, emitted]].forEach(([location, components, values]) => {
-      const padded = new Float32Array(components * vertices);
+      const padded = new Float32Array(components * transfer.vertices);
       padded.set(values);
       this.attribute(location, components, padded);
     });
@@ -151,44 +113,18 @@ class Surfaces {
     gl.bindBuffer(gl.ARRAY_BUFFER, null);
   }
 
-  // Textures of all receivers, and the receivers of the pixels.
-  addReceivers({ sections, atlases, vertices }) {
+  addReceivers({ sections, vertices }) {
     const { gl } = this;
-    const { albedo, emitted = new Float32Array(3 * vertices), texel = new Uint32Array(0) } = sections;
-    this.numbers('radiances', new Float32Array(3 * vertices), gl.RGB32F, gl.RGB, gl.FLOAT, 3);
-    this.numbers('albedos', albedo, gl.RGB32F, gl.RGB, gl.FLOAT, 3);
-    this.numbers('emissions', emitted, gl.RGB32F, gl.RGB, gl.FLOAT, 3);
-    this.atlases = new Int32Array(3 * kMostAtlases);
-    const all = [];
-    let entry = 0, first = 0;
-    atlases.forEach((head, number) => {
-      all.push(verticesOf(head, texel.subarray(entry, entry += head.texels)));
-      this.atlases.set([first, head.width, head.height], 3 * number);
-      first += head.width * head.height;
-    });
-    const receivers = new Uint32Array(first);
-    all.forEach((vertices, number) => receivers.set(vertices, this.atlases[3 * number]));
-    this.numbers('receivers', receivers, gl.R32UI, gl.RED_INTEGER, gl.UNSIGNED_INT, 1);
-  }
-
-  numbers(name, numbers, internal, layout, type, components) {
-    const { gl } = this;
-    const { rows, padded } = inRows(numbers, components);
-    const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
-    if (rows > most || kWide > most) {
-      throw new FileError(`its receivers need a texture of ${kWide} x ${rows}, this GPU has at most ${most} x ${most}: bake fewer texels`);
+    const { albedo, emitted = new Float32Array(3 * vertices) } = sections;
+    for (const [name, numbers] of [['radiances', new Float32Array(3 * vertices)], ['albedos', albedo], ['emissions', emitted]]) {
+      this.textures[name] = wideTexture(gl, numbers, { internal: gl.RGB32F, layout: gl.RGB, type: gl.FLOAT, components: 3 });
     }
-    this.textures[name] = gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, this.textures[name]);
-    for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
-    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-    gl.texImage2D(gl.TEXTURE_2D, 0, internal, kWide, rows, 0, layout, type, padded);
   }
 
   /** Makes the program ready that shades the pixels. */
   use(shaders) {
     const { gl, mesh } = this;
-    this.program ??= programOf(gl, shaders['surfaces.vert'], `#version 300 es\n${shaders['tone.glsl']}${shaders['surfaces.frag']}`);
+    this.program ??= programOf(gl, shaders['surfaces.vert'], `#version 300 es\n${shaders['tone.glsl']}${shaders['atlas.glsl']}${shaders['surfaces.frag']}`);
     mesh.relighter.refresh();
     this.copyRadiance();
     gl.useProgram(this.program);
@@ -197,7 +133,7 @@ class Surfaces {
       gl.bindTexture(gl.TEXTURE_2D, id);
       gl.uniform1i(gl.getUniformLocation(this.program, name), unit);
     });
-    gl.uniform3iv(gl.getUniformLocation(this.program, 'atlases'), this.atlases);
+    this.texels.use(this.program, this.units);
     gl.bindVertexArray(mesh.arrays);
     return this.program;
   }
@@ -214,5 +150,7 @@ class Surfaces {
     gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
   }
 
-  draw() { this.pictures.draw(this.program, Object.keys(this.textures).length); }
+  get units() { return Object.keys(this.textures).length; }
+
+  draw() { this.pictures.draw(this.program, this.units + 1); }
 }

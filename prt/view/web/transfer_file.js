@@ -51,7 +51,8 @@ const kKinds = {
   GS: kGlossy,
   GI: { ...kGlossy, bounces: true, indirect: true },
   DT: { ...kDiffuse, channels: 3, albedo: true },
-  DV: { ...kDiffuse, channels: 3, albedo: true, inMedium: true },  // on a grid; the result may have any degree
+  N: { ...kGlossy, onGrid: true },  // the result of those on a grid may have any degree
+  DV: { ...kDiffuse, channels: 3, albedo: true, onGrid: true, inMedium: true },
 };
 
 /** What is wrong with a file, as one line; the name of the file is left to who catches it. */
@@ -144,7 +145,7 @@ function shapeOfHeader(header, version, letters) {
   } else {
     channels = whole(entry(header, 'channels', 'number'));
     resultDegree = whole(entry(header, 'result_degree', 'number'), 0, kMaxDegree);
-    if (kind.inMedium) expected = shapeOf(kind.channels, degree, resultDegree, kind.meets);
+    if (kind.onGrid) expected = shapeOf(kind.channels, degree, resultDegree, kind.meets);
     meets = entry(header, 'meets', 'string');
     if (!kMeets.includes(meets)) fail(`transfer that meets the light by ${meets}, expected one of ${kMeets.join(', ')}`);
     cosine = entry(header, 'holds_cosine', 'boolean');
@@ -306,7 +307,7 @@ class Reader {
     }
     const kind = kKinds[letters];
     const shape = shapeOfHeader(header, this.version, letters);
-    const grid = kind.inMedium ? gridOf(entry(header, 'grid', 'object')) : null;
+    const grid = kind.onGrid ? gridOf(entry(header, 'grid', 'object')) : null;
     const frame = 'frame' in header ? frameOf(header.frame) : { origin: [0, 0, 0], unit: 1 };
     if (kind.inMedium) checkMedium(entry(header, 'medium', 'object'));
     if (kind.bounces) checkBounces(entry(header, 'bounces', 'object'));
@@ -334,7 +335,7 @@ class Reader {
 
   // always, optional or never
   presenceOf(section) {
-    if (this.transfer.grid ? section.isOfMesh : section.name === 'density') return 'never';
+    if (section.name === 'density' ? !kKinds[this.transfer.kind].inMedium : section.isOfMesh && this.transfer.grid) return 'never';
     if (section.isOfIndirect && !this.transfer.indirect) return 'never';
     if (section.isOfClusters && !this.shapeFor(section).clusters) return 'never';
     if (this.columnsOf(section) === 0) return 'never';

@@ -13,6 +13,9 @@ export const applied = (r, v) => [0, 3, 6].map((row) => r[row] * v[0] + r[row + 
 
 export const transposed = (r) => r.map((_, i) => r[3 * (i % 3) + Math.floor(i / 3)]);
 
+/** The rotation a after b. */
+export const composed = (a, b) => transposed([0, 1, 2].flatMap((k) => applied(a, [b[k], b[3 + k], b[6 + k]])));
+
 /** The rotation by an angle about a unit axis. */
 export function rotationAbout([x, y, z], degrees) {
   const c = Math.cos(inRadians(degrees)), s = Math.sin(inRadians(degrees)), t = 1 - c;

@@ -140,7 +140,6 @@ TEST_F(MediumTool, RefusesWhatIsForMeshes) {
   }
   expect_refused({"plan", scene}, "a plan takes meshes, this scene has a medium");
   expect_refused({"grid", scene, "-o", picture}, "a grid of lights takes meshes");
-  expect_refused({"volume", scene, "-o", folder.file("n.transfer")}, "the space around an object takes meshes");
   expect_refused({"light-at", scene, "--at", "0,0,9"}, "light that is sampled takes meshes");
   expect_refused({"study", scene, "--out", folder.file("study")}, "a study takes meshes");
   succeeded({"bake", scene, "-o", baked});
@@ -153,6 +152,59 @@ TEST_F(MediumTool, RefusesWhatIsForMeshes) {
   }
   expect_refused({"render", baked, "-o", picture, "--degree", "3"}, "degree");
   EXPECT_FALSE(std::filesystem::exists(picture));
+}
+
+TEST_F(MediumTool, ShadowsTheObjectsOfAStageAndShowsBeforeThem) {
+  const std::string around = folder.file("n.transfer");
+  const std::string ground = folder.file("ground.transfer");
+  const std::string stage = folder.file("stage.json");
+  succeeded({"bake", scene, "-o", baked});
+  const Arguments volume = {"volume", scene, "-o", around, "--counts", "7,6,5", "--directions", "256"};
+  succeeded(volume);
+  const std::string bytes = read_all(around);
+  succeeded(joined(volume, {"--threads", "1"}));
+  EXPECT_EQ(bytes, read_all(around));
+  EXPECT_EQ(printed({"info", around})["kind"], "N");
+  write_all(folder.file("ground.json"),
+            R"({"meshes": [{"primitive": "plane", "max_edge": 0.2, "transform": {"scale": 3}}],
+                "bake": {"degree": 2, "directions": 64, "transfer": "shadowed"}})");
+  succeeded({"bake", folder.file("ground.json"), "-o", ground});
+  nlohmann::json staged = {{"objects",
+                            {{{"transfer", "ground.transfer"}, {"light_at", "vertices"}},
+                             {{"transfer", "cloud.transfer"},
+                              {"volume", "n.transfer"},
+                              {"position", {0, 0, 1}},
+                              {"rotate", {{"degrees", 20}}}}}},
+                           {"lights", {{{"type", "constant"}}}},
+                           {"camera", {{"position", {0, -6, 2}}, {"target", {0, 0, 0.5}}, {"field_of_view", 40}}}};
+  const auto show = [&](const std::string& file) {
+    write_all(stage, staged.dump());
+    succeeded({"render", stage, "-o", file, "--width", "40", "--height", "30", "--fixed-exposure", "0.5"});
+    return read_all(file);
+  };
+  const std::string all = show(picture);
+  EXPECT_EQ(all, show(picture));
+  staged["objects"][1].erase("volume");
+  const std::string without_shadow = show(folder.file("a.png"));
+  EXPECT_NE(all, without_shadow);
+  staged["objects"].erase(1);
+  EXPECT_NE(without_shadow, show(folder.file("b.png"))) << "the cloud is seen";
+  // What a stage with media refuses.
+  staged["objects"].push_back({{"transfer", "cloud.transfer"}, {"light_at", "vertices"}});
+  write_all(stage, staged.dump());
+  expect_refused({"render", stage, "-o", picture}, "/objects/1/light_at: expected `center` for a medium");
+  staged["objects"][1].erase("light_at");
+  write_all(stage, staged.dump());
+  expect_refused({"view", stage, "-o", folder.file("a.html")}, "a page shows a medium alone");
+  succeeded({"relight", stage, "-o", folder.file("a.ply")});
+  const Finished sampled = succeeded({"light-at", stage, "--at", "0,0,3"});
+  EXPECT_NE(sampled.err.find("the point sees no media"), std::string::npos) << sampled.err;
+  staged["objects"].erase(0);
+  write_all(stage, staged.dump());
+  expect_refused({"render", stage, "-o", picture}, "an object with surfaces");
+  expect_refused({"volume", scene, "-o", around, "--reflected"}, "light that a medium sends is not kept around it");
+  expect_refused({"volume", scene, "-o", around, "--box", "0,0,0,1,1,1"}, "does not contain the object");
+  EXPECT_EQ(bytes, read_all(around));
 }
 
 TEST_F(MediumTool, StopsWhenAskedAndLeavesTheOldFile) {
