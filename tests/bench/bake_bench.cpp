@@ -1,6 +1,6 @@
 // The time of baking the embedded scene with one thread: rays against tracing alone, bounces against the pass that
 // finds the visible surfaces, and the whole bake in seconds. Bake and control take turns in one process, and the least
-// time of each counts. Usage: bake_bench [rays|bounces|glossy|whole]..., by default all. Exit 1 if a target is missed by more
+// time of each counts. Usage: bake_bench [--markdown] [rays|bounces|glossy|whole]..., by default all. Exit 1 if a target is missed by more
 // than the noise.
 #include <oneapi/tbb/task_arena.h>
 
@@ -8,10 +8,8 @@
 #include <chrono>
 #include <cstdint>
 #include <ctime>
-#include <exception>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "prt/bake/bake.hpp"
@@ -116,11 +114,12 @@ void rays_at(Table& table, const TransferKind& kind, int degree, double target) 
   rays_of(table, std::string(kind.letters) + ", degree " + std::to_string(degree), setup, target);
 }
 
-// The space around the embedded scene: 64 x 64 x 8 points in its default box, 49 numbers each.
+// The space around the embedded scene: 64 x 64 x 8 points in its box without lights, 49 numbers each.
 void rays_around(Table& table) {
-  const Scene scene = load_scene("demo", OnFlaw::kMend);
+  Scene scene = load_scene("demo", OnFlaw::kMend);
+  scene.lights.clear();  // the box would be larger, and most rays short
   const VolumeOptions options;
-  const PointGrid grid{box_around(scene.mesh), options.counts};
+  const PointGrid grid{default_box(scene, options), options.counts};
   std::vector<RayStart> points;
   for (std::size_t p = 0; p < grid.points(); ++p) {
     points.push_back({scene.mesh.frame.local(grid.point(p)).cast<float>(), 0.0F, true});
@@ -203,19 +202,8 @@ void whole(Table& table) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::pair<std::string, void (*)(Table&)>> sections{
-      {"rays", rays}, {"bounces", bounces}, {"glossy", glossy}, {"whole", whole}};
-  const std::vector<std::string> wanted(argv + 1, argv + argc);
-  try {
-    Table table;
-    oneapi::tbb::task_arena(1).execute([&] {
-      for (const auto& [name, run] : sections) {
-        if (wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end()) run(table);
-      }
-    });
-    return table.summary() ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "bake_bench: %s\n", error.what());
-    return 2;
-  }
+  return oneapi::tbb::task_arena(1).execute([&] {
+    return sh::bench::run_sections(argc, argv,
+                                   {{"rays", rays}, {"bounces", bounces}, {"glossy", glossy}, {"whole", whole}});
+  });
 }

@@ -48,6 +48,9 @@ void single(Table& table) {
     const std::string what = "basis_l" + std::to_string(kDegree);
     table.ratio(what + " against the recurrence", "ns", t[0] * ns, t[1] * ns, "recurrence", 1.02);  // 2 % of noise
     table.ratio(what + " against the textbook", "ns", t[0] * ns, t[2] * ns, "textbook", 0.05);
+    table.cell("basis, one direction", kDegree, t[0] * ns);
+    table.cell("the scalar recurrence [Sloan 2013]", kDegree, t[1] * ns);
+    table.cell("the textbook [Green 2003]", kDegree, t[2] * ns);
   });
 }
 
@@ -85,6 +88,9 @@ void batched(Table& table) {
     const double each = kNano / static_cast<double>(n);
     table.ratio(what, "ns", t[0] * each, t[1] * each, "recurrence", kDegree < 5 ? 1.0 : 0.95);
     table.ratio(what, "ns", t[0] * each, std::max(store, fma) * kNano, store > fma ? "stores" : "multiply-adds", 1.4);
+    table.cell("basis, a direction of a batch", kDegree, t[0] * each);
+    table.cell("the recurrence on 16 lanes", kDegree, t[1] * each);
+    table.cell("filling the output alone", kDegree, store * kNano);
   });
 }
 
@@ -101,6 +107,8 @@ void gradients(Table& table) {
                      fill_task(out.get(), n * values)});
     const double ns = kNano / static_cast<double>(n);
     table.ratio("batch basis_gradient, degree " + std::to_string(degree), "ns", t[0] * ns, t[1] * ns, "stores", 1.2);
+    table.cell("values and gradients, of a batch", degree, t[0] * ns);
+    table.cell("filling their output alone", degree, t[1] * ns);
   }
 }
 

@@ -70,6 +70,8 @@ void one_function(Table& table) {
                     scientific(error_of(kDegree, c, plain, ours.get())) + " (" +
                     scientific(error_of(kDegree, c, plain, other.get())) + ")",
                 "ns", t[0] * kNano / kCached, t[1] * kNano / kCached, "basis and dot", 0.5);
+    table.cell("one function at a direction, of a batch", kDegree, t[0] * kNano / kCached);
+    table.cell("basis and dot in 16 lanes", kDegree, t[1] * kNano / kCached);
   });
 }
 

@@ -5,6 +5,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <stdexcept>
 
 namespace sh::bench {
 namespace {
@@ -32,6 +35,31 @@ double median_of(std::vector<double> values) {
 }
 
 double spread_of_last = 0;
+
+// The processor, the compiler of the benchmark, and the day.
+std::string machine() {
+  std::string processor = "unknown processor";
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("model name")) continue;
+    processor = line.substr(line.find(':') + 2);
+    break;
+  }
+#ifdef __AVX512F__
+  processor += ", AVX-512";
+#elif defined(__AVX2__)
+  processor += ", AVX2";
+#endif
+#ifdef __clang__
+  const std::string compiler = "clang++ " + std::to_string(__clang_major__);
+#else
+  const std::string compiler = "g++ " + std::to_string(__GNUC__);
+#endif
+  std::array<char, 16> day{};
+  const std::time_t now = std::time(nullptr);
+  std::strftime(day.data(), day.size(), "%Y-%m-%d", std::gmtime(&now));
+  return processor + ", " + compiler + ", " + day.data();
+}
 
 std::string number(double value) {
   std::array<char, 32> text{};
@@ -68,20 +96,36 @@ std::vector<double> least_times(const std::vector<std::function<void()>>& tasks,
 
 double last_spread() { return spread_of_last; }
 
-void Table::section(const std::string& title, const std::string& note) {
-  std::printf("\n%s\n", title.c_str());
-  if (!note.empty()) std::printf("  (%s)\n", note.c_str());
+void Table::say(const std::string& line) const {
+  std::FILE* const out = markdown_ ? stderr : stdout;
+  std::fprintf(out, "%s\n", line.c_str());
+  std::fflush(out);
 }
 
-void Table::verdict(const std::string& what, const std::string& figures, double value, double target, double spread) {
+void Table::section(const std::string& title, const std::string& note) {
+  say("\n" + title);
+  if (!note.empty()) say("  (" + note + ")");
+  lines_.push_back({"*" + title + "*", "", "", ""});
+}
+
+void Table::verdict(const std::string& what, const std::string& figures, double value, double target, double spread,
+                    const std::string& unit) {
   const bool pass = value <= target;
   const bool is_noise = !pass && value <= target * (1 + spread);
-  std::printf("  %-44s %-46s %8s  <= %-8s %s\n", what.c_str(), figures.c_str(), number(value).c_str(),
-              number(target).c_str(),
-              pass       ? "pass"
-              : is_noise ? "noise"
-                         : "MISS");
-  std::fflush(stdout);
+  const std::string word = pass ? "pass" : is_noise ? "noise" : "MISS";
+  std::array<char, 256> line{};
+  std::snprintf(line.data(), line.size(), "  %-44s %-46s %8s  <= %-8s %s", what.c_str(), figures.c_str(),
+                number(value).c_str(), number(target).c_str(), word.c_str());
+  say(line.data());
+  const std::string limit = number(target) + (unit.empty() ? "" : " " + unit) +
+                            (pass       ? ""
+                             : is_noise ? ": missed, but by less than the noise"
+                                        : ": missed");
+  if (unit.empty()) {
+    lines_.push_back({what, figures, number(value), limit});
+  } else {
+    lines_.push_back({what, number(value) + " " + unit, "", limit});
+  }
   if (pass) {
     ++passed_;
   } else if (is_noise) {
@@ -99,24 +143,88 @@ void Table::ratio(const std::string& what, const std::string& unit, double ours,
 }
 
 void Table::figure(const std::string& what, const std::string& unit, double value, double target) {
-  verdict(what, unit, value, target, 0);
+  verdict(what, unit, value, target, 0, unit.empty() ? "error" : unit);
 }
 
-void Table::remark(const std::string& text) {
-  std::printf("  %s\n", text.c_str());
-  std::fflush(stdout);
+void Table::remark(const std::string& text) { say("  " + text); }
+
+void Table::cell(const std::string& row, const std::string& column, const std::string& text) {
+  const auto add = [](std::vector<std::string>& names, const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  add(rows_, row);
+  add(columns_, column);
+  cells_[{row, column}] = text;
+}
+
+void Table::cell(const std::string& row, int degree, double ns) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), ns < 9.95 ? "%.2g" : "%.0f", ns);
+  cell(row, std::to_string(degree), text.data());
 }
 
 bool Table::summary() const {
   constexpr double kNoisy = 0.1;
-  std::printf("\n%d targets met, %d missed by less than the noise, %zu missed\n", passed_, noise_, missed_.size());
-  for (const std::string& line : missed_) std::printf("  missed: %s\n", line.c_str());
+  say("\n" + std::to_string(passed_) + " targets met, " + std::to_string(noise_) + " missed by less than the noise, " +
+      std::to_string(missed_.size()) + " missed");
+  for (const std::string& line : missed_) say("  missed: " + line);
   if (!spreads_.empty()) {
     const double spread = median_of(spreads_);
-    std::printf("the median pass took %.0f %% longer than the least one%s\n", 100 * spread,
-                spread > kNoisy ? ": this machine is too noisy now to judge" : "");
+    say("the median pass took " + std::to_string(std::lround(100 * spread)) + " % longer than the least one" +
+        (spread > kNoisy ? ": this machine is too noisy now to judge" : ""));
   }
+  if (markdown_) print_markdown();
   return missed_.empty();
+}
+
+void Table::print_markdown() const {
+  std::vector<std::vector<std::string>> table = lines_;
+  if (cells_.empty()) {
+    table.insert(table.begin(), {machine(), "measured", "ratio", "at most"});
+  } else {
+    table.assign(1, {machine()});
+    table.front().insert(table.front().end(), columns_.begin(), columns_.end());
+    for (const std::string& row : rows_) {
+      std::vector<std::string>& line = table.emplace_back(1, row);
+      for (const std::string& column : columns_) {
+        const auto found = cells_.find({row, column});
+        line.push_back(found == cells_.end() ? "" : found->second);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    std::string line = "|";
+    for (const std::string& text : table[i]) line += text.empty() ? " |" : " " + text + " |";
+    std::printf("%s\n", line.c_str());
+    if (i > 0) continue;
+    line = "|";
+    for (std::size_t k = 0; k < table[i].size(); ++k) line += "---|";
+    std::printf("%s\n", line.c_str());
+  }
+}
+
+int run_sections(int argc, char** argv, const Sections& sections) {
+  std::vector<std::string> wanted(argv + 1, argv + argc);
+  const auto markdown = std::find(wanted.begin(), wanted.end(), "--markdown");
+  const bool is_table = markdown != wanted.end();
+  if (is_table) wanted.erase(markdown);
+  try {
+    for (const std::string& name : wanted) {
+      if (std::any_of(sections.begin(), sections.end(), [&](const auto& section) { return section.first == name; }))
+        continue;
+      std::string known;
+      for (const auto& section : sections) known += " " + section.first;
+      throw std::invalid_argument(name + ": expected --markdown or sections:" + known);
+    }
+    Table table(is_table);
+    for (const auto& [name, run] : sections) {
+      if (wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end()) run(table);
+    }
+    return table.summary() ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
+    return 2;
+  }
 }
 
 std::vector<float> random_vectors(std::size_t n, std::size_t size) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <map>
 #include <memory>
 #include <random>
 #include <string>
@@ -28,9 +29,11 @@ std::vector<double> least_times(const std::vector<std::function<void()>>& tasks,
 /// its tasks.
 double last_spread();
 
-/// The table that is printed while it is measured.
+/// The table that is printed while it is measured; with `markdown` on standard error, and as a table of a README on standard
+/// output in the end: of its cells if it has any, else of its lines.
 class Table {
  public:
+  explicit Table(bool markdown = false) : markdown_(markdown) {}
   void section(const std::string& title, const std::string& note = {});
   /// A ratio of two times (or sizes): ours, the control's or the limit's, in `unit`; passes when ours / other <=
   /// target.
@@ -40,18 +43,35 @@ class Table {
   void figure(const std::string& what, const std::string& unit, double value, double target);
   /// A figure without a target.
   void remark(const std::string& text);
+  /// A cell of the README's table; rows and columns stand in the order of their first cells.
+  void cell(const std::string& row, const std::string& column, const std::string& text);
+  void cell(const std::string& row, int degree, double ns);
   /// Prints how many lines passed, and how noisy the machine was; true when none missed its target by more than the
   /// spread of its passes.
   bool summary() const;
 
  private:
-  // spread: what a value may exceed its target by, as a part of it, and be noise
-  void verdict(const std::string& what, const std::string& figures, double value, double target, double spread);
+  // spread: what a value may exceed its target by, as a part of it, and be noise; unit: of value and target in Markdown
+  void verdict(const std::string& what, const std::string& figures, double value, double target, double spread,
+               const std::string& unit = {});
+  void say(const std::string& line) const;
+  void print_markdown() const;
+
+  bool markdown_;
   int passed_ = 0;
   int noise_ = 0;
   std::vector<double> spreads_;
   std::vector<std::string> missed_;
+  std::vector<std::vector<std::string>> lines_;  // of the README's table
+  std::vector<std::string> rows_;
+  std::vector<std::string> columns_;
+  std::map<std::pair<std::string, std::string>, std::string> cells_;
 };
+
+/// A benchmark of named sections, all or those that the arguments name; `--markdown` prints a README's table. Returns the exit
+/// code: 1 if a target is missed by more than the noise, 2 for an error, such as an unknown section.
+using Sections = std::vector<std::pair<std::string, void (*)(Table&)>>;
+int run_sections(int argc, char** argv, const Sections& sections);
 
 /// "1.2e-07"
 std::string scientific(double value);

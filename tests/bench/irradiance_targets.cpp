@@ -173,9 +173,9 @@ void degree_two(Table& table) {
 void irradiance(Table& table) {
   table.section("Irradiance from few numbers, float",
                 "rms and largest error in the mean irradiance of all normals; time of a channel at a normal");
-  const std::vector<Light> lights{{"sky", {numeric::overcast_point_lights(0.2, 0)}},
-                                  {"sky, a fifth from the sun", {numeric::overcast_point_lights(0.2, 0.2)}},
-                                  {"sky, half from the sun", {numeric::overcast_point_lights(0.2, 0.5)}},
+  const std::vector<Light> lights{{"CIE overcast sky over grey ground", {numeric::overcast_point_lights(0.2, 0)}},
+                                  {"the same, a fifth from the sun", {numeric::overcast_point_lights(0.2, 0.2)}},
+                                  {"the same, half from the sun", {numeric::overcast_point_lights(0.2, 0.5)}},
                                   {"50 lights", random_lights(50)},
                                   {"5 lights", random_lights(5)},
                                   {"one light", random_lights(1)}};
@@ -189,6 +189,9 @@ void irradiance(Table& table) {
                     100 * std::sqrt(error.mean_square), 100 * error.largest, error.is_negative ? ", negative" : "",
                     &method == &kMethods.back() ? "" : "; ");
       line += text.data();
+      std::snprintf(text.data(), text.size(), "%.1f %% (%.0f %%)", 100 * std::sqrt(error.mean_square),
+                    100 * error.largest);
+      table.cell(light.name, method.name, text.data());
     }
     table.remark(line);
   }
@@ -209,6 +212,11 @@ void irradiance(Table& table) {
   }
   const std::vector<double> t = least_times(tasks);
   const double ns = 1e9 / kCount;
+  for (std::size_t i = 0; i < kMethods.size(); ++i) {
+    std::array<char, 32> text;
+    std::snprintf(text.data(), text.size(), "%.1f", t[i] * ns);
+    table.cell("ns a channel and normal, scalar", kMethods[i].name, text.data());
+  }
   table.ratio("degree 1, ZH3", "ns", t[2] * ns, t[3] * ns, "degree 2", 1.5);
   table.ratio("degree 1, ZH3", "ns", t[2] * ns, t[1] * ns, "Hazel", 1.0);
   table.remark("  degree 1 takes " + std::to_string(t[0] * ns) + " ns");

@@ -65,6 +65,10 @@ void product(Table& table) {
     table.ratio(what, "ns", t[0] * ns, t[1] * ns, "greedy pairs", target.single);
     table.ratio(what + ", one with SIMD inside", "ns", t[3] * ns, t[1] * ns, "greedy pairs", target.single_simd);
     table.ratio(what + ", batch", "ns", t[2] * ns, t[1] * ns, "greedy pairs", target.batched);
+    table.cell("product, one", kDegree, t[0] * ns);
+    table.cell("greedy pairs [Snyder 2006]", kDegree, t[1] * ns);
+    table.cell("product, one with SIMD inside", kDegree, t[3] * ns);
+    table.cell("product, one of a batch", kDegree, t[2] * ns);
   });
 }
 

@@ -45,6 +45,10 @@ void times(Table& table) {
     const std::string degree = "degree " + std::to_string(kDegree);
     table.ratio("rotate, " + degree, "ns", t[0] * ns, t[1] * ns, "z-x90-z", 0.9);
     table.ratio("rotate, batch of pairs, " + degree, "ns", t[2] * ns, t[1] * ns, "z-x90-z", 0.1);
+    table.cell("rotate, one vector", kDegree, t[0] * ns);
+    table.cell("the classic z-x90-z rotation", kDegree, t[1] * ns);
+    if (kDegree > 2) table.cell("rotate, one with SIMD inside", kDegree, t[3] * ns);
+    table.cell("rotate, one of a batch", kDegree, t[2] * ns);
     if (kDegree < 3 || kDegree > 6) return;
     table.ratio("rotate, one with SIMD inside, " + degree, "ns", t[3] * ns, t[1] * ns, "z-x90-z", 0.6);
   });
@@ -75,6 +79,7 @@ void prepared(Table& table) {
                      }});
     const double ns = 1e9 / kRotations;
     table.ratio("rotate_prepared_one, degree " + std::to_string(degree), "ns", t[0] * ns, t[1] * ns, "rotate_one", 0.4);
+    table.cell("rotate by a prepared matrix, one at a time", degree, t[0] * ns);
   }
 }
 
