@@ -113,9 +113,12 @@ void check(const BakeJob& job) {
   }
 }
 
-Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan& plan, BakeReport& report) {
+// tracer: of the scene, or null.
+Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan& plan,
+                   const std::shared_ptr<Tracer>& tracer, BakeReport& report) {
   if (!settings.ranks.is_first() && !scene.bake.kind->has_form_factors()) return {};
-  BakeRun run(scene, settings, plan.open);
+  const std::uint64_t rays_before = tracer ? tracer->rays() : 0;
+  BakeRun run(scene, settings, plan.open, tracer);
   try {
     for (const BakeStep& step : scene.bake.kind->steps) {
       step.run(run);
@@ -126,7 +129,7 @@ Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan&
     throw output::Interrupted(run.checkpoint->interrupted());
   }
   if (run.rays) {
-    report.rays += run.rays->tracer.rays();
+    report.rays += run.rays->tracer.rays() - rays_before;
     report.checkpoint = settings.checkpoint.path;
     report.bounces = bounces_file(settings.checkpoint);
   }
@@ -151,7 +154,7 @@ void take_channel(const Transfer& from, int c, Transfer& to) {
 }
 
 // Each channel is a separate bake. The single channel of shadowed transfer cannot hold the color of the mirrors.
-Transfer run_by_channel(const BakeJob& job, BakeReport& report) {
+Transfer run_by_channel(const BakeJob& job, const std::shared_ptr<Tracer>& tracer, BakeReport& report) {
   if (job.scene.bake.kind->shape(job.scene.bake.degree).channels == 1) {
     throw std::invalid_argument(fmt::format(
         "{}: its mirrors have colors, which shadowed transfer cannot hold; expected gray mirrors, or interreflected",
@@ -163,7 +166,7 @@ Transfer run_by_channel(const BakeJob& job, BakeReport& report) {
   for (int c = 0; c < 3; ++c) {
     Scene scene = job.scene;
     scene.mesh = in_gray(std::move(scene.mesh), c);
-    Transfer channel = run_steps(scene, settings, *job.plan, report);
+    Transfer channel = run_steps(scene, settings, *job.plan, tracer, report);
     if (c == 0) {
       transfer = std::move(channel);
     } else {
@@ -174,10 +177,10 @@ Transfer run_by_channel(const BakeJob& job, BakeReport& report) {
   return transfer;
 }
 
-// Sets fewer directions and a deadline for the bounces if there is a budget.
-void prepare(BakeJob& job, const BakeObserver& say) {
+// Sets fewer directions and a deadline for the bounces if there is a budget. Returns a tracer of the scene, if it made one.
+std::shared_ptr<Tracer> prepare(BakeJob& job, const BakeObserver& say) {
   constexpr double kWorthSaying = 2.0;  // seconds
-  if (!job.scene.bake.kind->traces_rays() || (!say && !job.budget)) return;
+  if (!job.scene.bake.kind->traces_rays() || (!say && !job.budget)) return {};
   const BakeEstimate estimate = estimate_bake(job);
   if (say && estimate.seconds() >= kWorthSaying) {
     say(fmt::format("about {:.2g} s, {:.0f} MiB: {:.3g} million rays{}", estimate.seconds(),
@@ -186,7 +189,7 @@ void prepare(BakeJob& job, const BakeObserver& say) {
                     : job.scene.bake.kind->indirect != nullptr ? ", bounces not counted"
                                                                : ""));
   }
-  if (!job.budget) return;
+  if (!job.budget) return estimate.tracer;
   const auto& [seconds, spent] = *job.budget;
   const int wanted = job.scene.bake.directions;
   job.scene.bake = within_budget(job.scene.bake, estimate, seconds - spent.seconds());
@@ -194,6 +197,7 @@ void prepare(BakeJob& job, const BakeObserver& say) {
   if (say && job.scene.bake.directions < wanted) {
     say(fmt::format("{} of {} directions fit into {} s", job.scene.bake.directions, wanted, seconds));
   }
+  return estimate.tracer;
 }
 
 void take_plan(const Plan& plan, Transfer& transfer) {
@@ -285,12 +289,13 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
   if (say) {
     for (const FittedBrdf& fitted : job.fits) say(described(fitted));
   }
-  prepare(job, say);
+  const std::shared_ptr<Tracer> tracer = prepare(job, say);
   Transfer transfer;
   BakeReport measured;
   const bool by_channel = job.scene.bake.kind->traces_rays() && has_colored_mirrors(job.scene.mesh);
   on_threads(job.settings.threads, [&] {
-    transfer = by_channel ? run_by_channel(job, measured) : run_steps(job.scene, job.settings, *job.plan, measured);
+    transfer = by_channel ? run_by_channel(job, tracer, measured)
+                          : run_steps(job.scene, job.settings, *job.plan, tracer, measured);
   });
   if (report != nullptr) *report = measured;
   if (!job.settings.checkpoint.shard.is_whole()) return {};  // the checkpoint is the result

@@ -107,6 +107,7 @@ BakeEstimate estimate_rays(const BakeJob& job) {
   const output::Stopwatch stopwatch;
   const RaySetup setup(scene.mesh, scene.bake, settings.threads, settings.instruction_set);
   BakeEstimate estimate;
+  estimate.tracer = setup.shared;
   estimate.setup_seconds = stopwatch.seconds();
   const std::size_t vertices = scene.mesh.positions.size();
   std::vector<std::uint32_t> samples = spread_vertices(vertices, open, estimate.vertices);

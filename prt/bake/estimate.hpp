@@ -3,20 +3,23 @@
 // resulting file is valid for every vertex and states what was reduced.
 #pragma once
 #include <cstddef>
+#include <memory>
 
 #include "prt/bake/bake.hpp"
+#include "prt/rays/tracer.hpp"
 
 namespace sh::prt {
 
 struct BakeEstimate {
-  std::size_t vertices = 0;      // that need rays
-  double rays = 0.0;             // of the first pass
-  double setup_seconds = 0.0;    // tree and directions
-  double pass_seconds = 0.0;     // all rays
-  double bounce_seconds = 0.0;   // each
-  double bounces = 0.0;          // about how many
-  std::size_t factor_bytes = 0;  // of all form factors; `--bounce-memory` limits how many are kept
-  std::size_t bytes = 0;         // of memory, at the most
+  std::size_t vertices = 0;             // that need rays
+  double rays = 0.0;                    // of the first pass
+  double setup_seconds = 0.0;           // tree and directions
+  double pass_seconds = 0.0;            // all rays
+  double bounce_seconds = 0.0;          // each
+  double bounces = 0.0;                 // about how many
+  std::size_t factor_bytes = 0;         // of all form factors; `--bounce-memory` limits how many are kept
+  std::size_t bytes = 0;                // of memory, at the most
+  std::shared_ptr<Tracer> tracer = {};  // of the mesh, for the bake itself; null where no rays are traced
   [[nodiscard]] double seconds() const { return setup_seconds + pass_seconds + bounces * bounce_seconds; }
 };
 

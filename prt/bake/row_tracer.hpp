@@ -17,9 +17,11 @@ namespace sh::prt {
 /// Everything that the rays of a bake need. It lives as long as form factors may be traced again. The mesh must outlive
 /// it.
 struct RaySetup {
-  RaySetup(const Mesh& the_mesh, const BakeOptions& options, int threads, const std::string& instruction_set)
+  /// known: a tracer of this mesh, or null.
+  RaySetup(const Mesh& the_mesh, const BakeOptions& options, int threads, const std::string& instruction_set,
+           std::shared_ptr<Tracer> known = nullptr)
       : mesh(the_mesh),
-        shared(std::make_shared<Tracer>(mesh, threads, instruction_set)),
+        shared(known ? std::move(known) : std::make_shared<Tracer>(mesh, threads, instruction_set)),
         directions(options),
         bounce_directions(for_bounces(options)),
         starts(ray_starts(mesh)) {}

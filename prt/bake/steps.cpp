@@ -28,7 +28,7 @@ void report(const BakeRun& run, const std::string& flaw) {
 void begin_tracing(BakeRun& run) {
   const Scene& scene = run.scene;
   Transfer& transfer = run.transfer;
-  run.rays.emplace(scene.mesh, scene.bake, run.settings.threads, run.settings.instruction_set);
+  run.rays.emplace(scene.mesh, scene.bake, run.settings.threads, run.settings.instruction_set, run.tracer);
   transfer.instruction_set = run.rays->tracer.instruction_set();
   transfer.directions = static_cast<std::uint32_t>(scene.bake.directions);
   transfer.sampler = scene.bake.sampler;

@@ -11,7 +11,9 @@
 // The light that surfaces emit is kept separately (Transfer::emitted), including its bounces if the kind has bounces.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "prt/bake/bake.hpp"
@@ -24,10 +26,12 @@ namespace sh::prt {
 /// The state of a running bake: the input of its steps, and the results that each step leaves for the next. All
 /// arguments must outlive this object. Mirrors are gray (prt/bake/bake.cpp handles the others).
 struct BakeRun {
-  BakeRun(const Scene& the_scene, const BakeSettings& the_settings, const std::vector<std::uint8_t>& open_vertices)
+  BakeRun(const Scene& the_scene, const BakeSettings& the_settings, const std::vector<std::uint8_t>& open_vertices,
+          std::shared_ptr<Tracer> the_tracer)
       : scene(the_scene),
         settings(the_settings),
         open(open_vertices),
+        tracer(std::move(the_tracer)),
         transfer(Transfer::of(*the_scene.bake.kind, the_scene.bake.degree)) {}
   BakeRun(const BakeRun&) = delete;
   BakeRun& operator=(const BakeRun&) = delete;
@@ -35,6 +39,7 @@ struct BakeRun {
   const Scene& scene;
   const BakeSettings& settings;
   const std::vector<std::uint8_t>& open;  // as in Plan
+  std::shared_ptr<Tracer> tracer;         // of the mesh, if there is one
   Transfer transfer;                      // in the shape of the last finished step
   std::optional<RaySetup> rays;
   std::optional<FormFactors> factors;  // only for kinds with bounces

@@ -2,84 +2,33 @@
 // receivers and more, three sizes a decade, up to MOST (10^6). Each bake is a process of its own, `prt bake` of the same
 // build, so that its memory is its own. Prints processor time, memory and bytes, and draws them. Takes minutes.
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "numeric/output/atomic_file.hpp"
 #include "numeric/output/chart.hpp"
-#include "prt/scene/scene.hpp"
+#include "tests/bench/city.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace {
 
-using nlohmann::json;
+using sh::bench::Cost;
+using sh::bench::run;
+using sh::bench::write_city;
 
-constexpr int kBlocks = 8;       // houses along a side
 constexpr double kFewest = 1e4;  // receivers
 const std::vector<std::pair<std::string, std::vector<std::string>>> kBakes = {
     {"DS", {"--kind", "shadowed"}},
     {"DI", {"--kind", "interreflected"}},
     {"DI, 64 directions for bounces", {"--kind", "interreflected", "--bounce-directions", "64"}},
     {"GS", {"--kind", "glossy_shadowed"}}};
-
-/// Houses of several heights and colors, whose edges are no longer than `longest`.
-json city(double longest) {
-  json meshes = json::array();
-  for (int i = 0; i < kBlocks * kBlocks; ++i) {
-    const double height = 0.5 + 2.0 * std::fmod(0.618034 * i, 1.0);
-    const double gray = 0.3 + 0.5 * std::fmod(0.414214 * i, 1.0);
-    meshes.push_back(
-        {{"primitive", "box"},
-         {"albedo", {gray, 0.8 * gray, 0.6 * gray}},
-         {"max_edge", longest},
-         {"transform", {{"scale", {0.7, 0.7, height}}, {"translate", {i % kBlocks, i / kBlocks, 0.5 * height}}}}});
-  }
-  return {{"name", "city"},
-          {"meshes", meshes},
-          {"ground", {{"height", 0.0}, {"size", 1.5 * kBlocks}, {"max_edge", longest}, {"albedo", {0.4, 0.4, 0.4}}}},
-          {"bake", {{"degree", 4}, {"directions", 512}}}};
-}
-
-std::size_t write_city(const std::string& file, double longest) {
-  sh::output::write_file(file, city(longest).dump());
-  return sh::prt::load_scene(file, sh::prt::OnFlaw::kMend).mesh.positions.size();
-}
-
-struct Cost {
-  double seconds = 0.0;  // of the processor
-  double bytes = 0.0;    // of memory at the most
-};
-
-Cost run(const std::vector<std::string>& words) {
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  const pid_t child = fork();
-  if (child == 0) {
-    if (std::freopen("/dev/null", "w", stderr) != nullptr) execv(arguments[0], arguments.data());
-    _exit(127);
-  }
-  int status = 0;
-  rusage usage{};
-  if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0) {
-    throw std::runtime_error(fmt::format("{} {}: it failed", words[0], words[1]));
-  }
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), 1024.0 * static_cast<double>(usage.ru_maxrss)};
-}
 
 void measure(const std::string& picture, double most) {
   const sh::test::TemporaryFolder folder;
@@ -101,12 +50,10 @@ void measure(const std::string& picture, double most) {
                             .line = sh::output::Line::kStraight,
                             .dashed = true});
   }
-  constexpr double kFirstEdge = 0.3;
-  const auto first = static_cast<double>(write_city(scene, kFirstEdge));
   fmt::print("{:>10} {:<30} {:>8} {:>12} {:>8} {:>10} {:>10}\n", "receivers", "bake", "s", "us/receiver", "MiB",
              "B/receiver", "B in file");
   for (double wanted = kFewest; wanted <= most * 1.01; wanted *= std::cbrt(10.0)) {
-    const std::size_t receivers = write_city(scene, kFirstEdge * std::sqrt(first / wanted));
+    const std::size_t receivers = write_city(scene, wanted);
     const auto count = static_cast<double>(receivers);
     for (std::size_t k = 0; k < kBakes.size(); ++k) {
       const std::string tool = std::string(SHFORGE_BIN_DIR) + "/prt";

@@ -1,0 +1,79 @@
+#include "tests/bench/city.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "numeric/output/atomic_file.hpp"
+#include "prt/scene/scene.hpp"
+
+namespace sh::bench {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kBlocks = 8;  // houses along a side
+
+// With edges that are no longer than `longest`.
+json city(double longest) {
+  json meshes = json::array();
+  for (int i = 0; i < kBlocks * kBlocks; ++i) {
+    const double height = 0.5 + 2.0 * std::fmod(0.618034 * i, 1.0);
+    const double gray = 0.3 + 0.5 * std::fmod(0.414214 * i, 1.0);
+    meshes.push_back(
+        {{"primitive", "box"},
+         {"albedo", {gray, 0.8 * gray, 0.6 * gray}},
+         {"max_edge", longest},
+         {"transform", {{"scale", {0.7, 0.7, height}}, {"translate", {i % kBlocks, i / kBlocks, 0.5 * height}}}}});
+  }
+  return {{"name", "city"},
+          {"meshes", meshes},
+          {"ground", {{"height", 0.0}, {"size", 1.5 * kBlocks}, {"max_edge", longest}, {"albedo", {0.4, 0.4, 0.4}}}},
+          {"bake", {{"degree", 4}, {"directions", 512}}}};
+}
+
+std::size_t write(const std::string& file, double longest) {
+  output::write_file(file, city(longest).dump());
+  return prt::load_scene(file, prt::OnFlaw::kMend).mesh.positions.size();
+}
+
+}  // namespace
+
+std::size_t write_city(const std::string& file, double receivers) {
+  constexpr double kEdge = 0.3;
+  const auto few = static_cast<double>(write(file, kEdge));
+  return write(file, kEdge * std::sqrt(few / receivers));
+}
+
+Cost run(const std::vector<std::string>& words) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  const auto start = std::chrono::steady_clock::now();
+  const pid_t child = fork();
+  if (child == 0) {
+    if (std::freopen("/dev/null", "w", stderr) != nullptr) execvp(arguments[0], arguments.data());
+    _exit(127);
+  }
+  int status = 0;
+  rusage usage{};
+  if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0) {
+    throw std::runtime_error(fmt::format("{}: it failed", fmt::join(words, " ")));
+  }
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), elapsed.count(),
+          1024.0 * static_cast<double>(usage.ru_maxrss)};
+}
+
+}  // namespace sh::bench
