@@ -111,6 +111,8 @@ TEST(MediumVolume, KeepsTheWholeSphereToTheBitWhereNothingIsMet) {
   const Transfer opaque = bake_medium_volume(cloud_of(uniform({3, 3, 3}, 1.0, 60.0F)), options);
   const std::size_t middle = opaque.grid->index({1, 1, 1});
   EXPECT_LT(std::abs(opaque.row(middle)[0]), 1e-4F) << "the point in the middle sees nothing";
+  options.reflects = true;
+  EXPECT_THROW(bake_medium_volume(cloud_of(uniform({2, 2, 2}, 1.0, 0.0F)), options), std::invalid_argument);
 }
 
 /// A small square under a cloud of radius about 1 at height 2, and the shares of the light of a constant sky that reach it.

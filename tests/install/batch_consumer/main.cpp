@@ -1,0 +1,118 @@
+// The library over many records against loops over the headers, on any processor: plain and blocked records, few and many.
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "generated/batch/batch.hpp"
+#include "generated/cpp/basis.hpp"
+#include "generated/cpp/evaluate.hpp"
+#include "generated/cpp/product.hpp"
+#include "generated/cpp/relight_rgb.hpp"
+#include "generated/cpp/rotate.hpp"
+
+namespace {
+
+namespace batch = sh::batch;
+
+constexpr std::size_t kMost = 37;
+constexpr std::size_t size_of(int degree) { return std::size_t(degree + 1) * std::size_t(degree + 1); }
+
+bool failed = false;
+
+// Numbers from -1 to 1 that are the same everywhere.
+std::vector<float> numbers(std::size_t count) {
+  static unsigned state = 1;
+  std::vector<float> out(count);
+  for (float& value : out) {
+    state = 1664525U * state + 1013904223U;
+    value = float(state >> 8) / 8388608.0F - 1.0F;
+  }
+  return out;
+}
+
+std::vector<float> directions(std::size_t count) {
+  std::vector<float> out = numbers(3 * count);
+  for (std::size_t i = 0; i < out.size(); i += 3) {
+    const float length = std::sqrt(out[i] * out[i] + out[i + 1] * out[i + 1] + out[i + 2] * out[i + 2]);
+    for (std::size_t k = 0; k < 3; ++k) out[i + k] /= length;
+  }
+  return out;
+}
+
+std::vector<float> rotations(std::size_t count) {
+  std::vector<float> out;
+  for (const float angle : numbers(count)) {
+    const float c = std::cos(3 * angle);
+    const float s = std::sin(3 * angle);
+    out.insert(out.end(), {c, -s, 0, 0.6F * s, 0.6F * c, -0.8F, 0.8F * s, 0.8F * c, 0.6F});
+  }
+  return out;
+}
+
+void compare(const char* what, int degree, std::size_t n, const std::vector<float>& ours,
+             const std::vector<float>& wanted) {
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (std::abs(ours[i] - wanted[i]) <= 1e-5F * (1 + std::abs(wanted[i]))) continue;
+    std::printf("%s, degree %d, %zu records: %zu is %g, expected %g\n", what, degree, n, i, double(ours[i]),
+                double(wanted[i]));
+    failed = true;
+    return;
+  }
+}
+
+template <int Degree>
+void check(std::size_t n) {
+  constexpr std::size_t kSize = size_of(Degree);
+  const std::vector<float> d = directions(n);
+  const std::vector<float> a = numbers(n * kSize);
+  const std::vector<float> b = numbers(n * kSize);
+  const std::vector<float> r = rotations(n);
+  std::vector<float> ours(n * kSize);
+  std::vector<float> wanted(n * kSize);
+  const auto each = [&](const auto& kernel) {
+    for (std::size_t i = 0; i < n; ++i) kernel(i);
+  };
+  batch::basis(Degree, n, batch::plain(d.data()), batch::plain(ours.data()));
+  each([&](std::size_t i) { sh::basis<Degree>(d[3 * i], d[3 * i + 1], d[3 * i + 2], &wanted[i * kSize]); });
+  compare("basis", Degree, n, ours, wanted);
+  batch::rotate(Degree, n, batch::plain(r.data()), batch::plain(a.data()), batch::plain(ours.data()));
+  each([&](std::size_t i) { sh::rotate<Degree>(&r[9 * i], &a[i * kSize], &wanted[i * kSize]); });
+  compare("rotate", Degree, n, ours, wanted);
+  each([&](std::size_t i) { batch::rotate_one(Degree, &r[9 * i], &a[i * kSize], &ours[i * kSize]); });
+  compare("rotate_one", Degree, n, ours, wanted);
+  each([&](std::size_t i) { sh::product<Degree>(&a[i * kSize], &b[i * kSize], &wanted[i * kSize]); });
+  if (Degree <= 6) {
+    batch::product(Degree, n, batch::plain(a.data()), batch::plain(b.data()), batch::plain(ours.data()));
+    compare("product", Degree, n, ours, wanted);
+  }
+  each([&](std::size_t i) { batch::product_one(Degree, &a[i * kSize], &b[i * kSize], &ours[i * kSize]); });
+  compare("product_one", Degree, n, ours, wanted);
+  std::vector<float> values(n);
+  std::vector<float> exact(n);
+  batch::evaluate(Degree, n, batch::shared(a.data()), batch::plain(d.data()), batch::plain(values.data()));
+  each([&](std::size_t i) { exact[i] = sh::evaluate<Degree>(a.data(), d[3 * i], d[3 * i + 1], d[3 * i + 2]); });
+  compare("evaluate", Degree, n, values, exact);
+  const std::vector<float> light = numbers(3 * kSize);
+  std::vector<float> rgb(3 * n);
+  std::vector<float> sums(3 * n);
+  batch::relight_rgb(Degree, n, batch::plain(a.data()), light.data(), batch::plain(rgb.data()));
+  each([&](std::size_t i) { sh::relight_rgb<Degree>(&a[i * kSize], light.data(), &sums[3 * i]); });
+  compare("relight_rgb", Degree, n, rgb, sums);
+}
+
+template <int... Degree>
+void check_all(std::integer_sequence<int, Degree...>) {
+  for (const std::size_t n : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{7}, std::size_t{16}, kMost}) {
+    (check<Degree>(n), ...);
+  }
+}
+
+}  // namespace
+
+int main() {
+  check_all(std::make_integer_sequence<int, 11>());
+  std::printf(failed ? "failed\n" : "degree 0 to 10: the batches are the loops\n");
+  return failed ? 1 : 0;
+}
