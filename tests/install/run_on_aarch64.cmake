@@ -3,7 +3,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
 find_program(COMPILER aarch64-linux-gnu-g++)
 find_program(EMULATOR qemu-aarch64)
-find_path(XSIMD xsimd/xsimd.hpp)
+find_path(XSIMD xsimd/xsimd.hpp PATHS /usr/include /usr/local/include)
 if(NOT COMPILER OR NOT EMULATOR OR NOT XSIMD)
   message("skipped: no aarch64-linux-gnu-g++, qemu-aarch64 or xsimd, `./bootstrap packages` names them")
   return()
