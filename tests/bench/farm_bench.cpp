@@ -8,8 +8,11 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "prt/bake/estimate.hpp"
+#include "prt/scene/scene.hpp"
 #include "tests/bench/city.hpp"
 #include "tests/bench/harness.hpp"
 #include "tests/temporary_folder.hpp"
@@ -88,11 +91,11 @@ void bounces(Table& table, const sh::test::TemporaryFolder& folder, const std::s
   const Cost two = run(on_ranks);
   table.ratio("2 ranks", "s", two.elapsed, 0.5 * one.elapsed, "half of one", 1.1);
   table.ratio("memory of a rank of 2", "MiB", two.bytes / kMiB, one.bytes / kMiB, "one", 0.6);
-  const Cost direct = run(bake_of(scene, {"--no-checkpoint", "-o", folder.file("a"), "--kind", "shadowed"}));
-  const Cost few = run(bake_of(
-      scene, {"--no-checkpoint", "-o", folder.file("a"), "--kind", "interreflected", "--bounce-directions", "64"}));
-  table.figure("memory that bounces along 64 directions add, a receiver", "bytes",
-               (few.bytes - direct.bytes) / receivers, 1536.0);
+  sh::prt::Scene loaded = sh::prt::load_scene(scene, sh::prt::OnFlaw::kMend);
+  loaded.bake.kind = &sh::prt::kInterreflected;
+  loaded.bake.bounces.directions = 64;
+  const auto factors = static_cast<double>(sh::prt::estimate_bake({std::move(loaded), {}}).factor_bytes);
+  table.figure("form factors along 64 directions, a receiver", "bytes", factors / receivers, 1536.0);
 }
 
 }  // namespace
