@@ -106,9 +106,10 @@ void check(const Scene& scene, const VolumeOptions& options) {
     throw std::invalid_argument(
         fmt::format("directions: expected 1 to {}, got {}", kMaxDirections, options.directions));
   }
-  if (!(options.faintest_shadow > 0.0 && options.faintest_shadow < 1.0)) {
-    throw std::invalid_argument(fmt::format(
-        "faintest shadow: expected a part of the light, above 0 and below 1, got {}", options.faintest_shadow));
+  if (!(options.faintest_shadow >= kFaintestShadow && options.faintest_shadow < 1.0)) {
+    throw std::invalid_argument(
+        fmt::format("faintest shadow: expected a part of the light, {} or more and below 1, got {}", kFaintestShadow,
+                    options.faintest_shadow));
   }
   if (options.sampler == Sampler::kCosine) {
     throw std::invalid_argument(fmt::format(

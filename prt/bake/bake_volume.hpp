@@ -33,8 +33,8 @@ struct VolumeOptions {
 /// every side. A sphere at its distance blocks 0.028 of the directions.
 inline constexpr double kBoxMargin = 2.0;
 
-/// The box, in the world, that holds the shadows of the scene's meshes or medium under its lights, of the degree of the options, as
-/// far as the scene's plan lets these turn (shadow_box.hpp). Without lights, and for a volume that sends light, the box of
+/// The box, in the world, that holds the shadows of the scene's meshes or medium under its lights, of the degree of the
+/// options, as far as the scene's plan lets these turn (shadow_box.hpp). Without lights, and for a volume that sends light, the box of
 /// the object with this margin.
 Eigen::AlignedBox3d default_box(const Scene& scene, const VolumeOptions& options);
 

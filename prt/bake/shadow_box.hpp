@@ -11,7 +11,10 @@
 
 namespace sh::prt {
 
-/// The box around an object within `bounds`, which it contains; both in the world. part: above 0. turns: rotations of the
+/// The least part: the shadows of all lights end nearer than 1,000 radii, to where they are looked for.
+inline constexpr double kFaintestShadow = 1e-5;
+
+/// The box around an object within `bounds`, which it contains; both in the world. part: kFaintestShadow or more. turns: rotations of the
 /// light for which it holds. Nothing for a light that gives no surface irradiance. Directions are tried at the nodes of a
 /// grid of 5 degrees.
 std::optional<Eigen::AlignedBox3d> shadow_box(const Eigen::AlignedBox3d& bounds, const LightCoefficients& light,

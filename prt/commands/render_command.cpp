@@ -87,8 +87,8 @@ class ShownSubject : public Shown {
   }
 
   [[nodiscard]] Picture picture(const View& view, const Background& background, const std::string& what) override {
-    return render(mesh_, *tracer_, subject_.surface(poses_, view.light_turn), view.camera, options_.size, background,
-                  what, subject_.veil(poses_, view.light_turn, view.camera.position));
+    const Subject::Seen seen = subject_.seen(poses_, view.light_turn, view.camera.position);
+    return render(mesh_, *tracer_, seen.surface, view.camera, options_.size, background, what, seen.veil);
   }
 
  private:

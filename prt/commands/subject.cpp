@@ -211,14 +211,24 @@ Surface Subject::object_surface(const LitStage& stage, std::size_t index, const 
   return glossy_surface(transfer, stage.reaching(index), colors(transfer.mesh), std::move(more));
 }
 
-// The faces of the merged mesh are those of the objects, one object after another.
 Surface Subject::surface(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn) const {
+  return surface(lighting_.at(poses, light_turn), poses, light_turn);
+}
+
+Subject::Seen Subject::seen(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
+                            const Eigen::Vector3d& eye) const {
+  const LitStage stage = lighting_.at(poses, light_turn);
+  return {surface(stage, poses, light_turn), veil(stage, poses, eye)};
+}
+
+// The faces of the merged mesh are those of the objects, one object after another.
+Surface Subject::surface(const LitStage& stage, const std::vector<Pose>& poses,
+                         const Eigen::Matrix3d& light_turn) const {
   struct Placed {
     std::uint32_t end;  // of its faces
     Eigen::Matrix3f to_object;
     Surface surface;
   };
-  const LitStage stage = lighting_.at(poses, light_turn);
   std::vector<Placed> objects;
   for (std::size_t i = 0; i < stage_.objects.size(); ++i) {
     const auto faces = static_cast<std::uint32_t>(stage_.objects[i].transfer->mesh.faces.size());
@@ -240,10 +250,8 @@ bool Subject::has_media() const {
                      [](const StageObject& object) { return object.transfer->kind->in_medium; });
 }
 
-Veil Subject::veil(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
-                   const Eigen::Vector3d& eye) const {
+Veil Subject::veil(const LitStage& stage, const std::vector<Pose>& poses, const Eigen::Vector3d& eye) const {
   if (!has_media()) return {};
-  const LitStage stage = lighting_.at(poses, light_turn);
   std::vector<PlacedMedium> media;
   for (std::size_t i = 0; i < stage_.objects.size(); ++i) {
     const Transfer& transfer = *stage_.objects[i].transfer;

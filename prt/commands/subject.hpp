@@ -66,14 +66,21 @@ class Subject {
   [[nodiscard]] TransferredRadiance reaching(const Eigen::Matrix3d& light_turn) const;
   /// What a picture of mesh(poses) shows. This object must outlive it.
   [[nodiscard]] Surface surface(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn) const;
-  /// The media before it, as an eye sees them; empty without any. Throws like radiance().
-  [[nodiscard]] Veil veil(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
+  /// The same with the media before it, as an eye sees them; no veil without any. Throws like radiance().
+  struct Seen {
+    Surface surface;
+    Veil veil;
+  };
+  [[nodiscard]] Seen seen(const std::vector<Pose>& poses, const Eigen::Matrix3d& light_turn,
                           const Eigen::Vector3d& eye) const;
   [[nodiscard]] bool has_media() const;
 
  private:
   Subject(const SubjectOptions& options, bool is_stage, Stage stage);
   [[nodiscard]] std::vector<Eigen::Vector3f> local_radiance(const Eigen::Matrix3d& light_turn) const;
+  [[nodiscard]] Surface surface(const LitStage& stage, const std::vector<Pose>& poses,
+                                const Eigen::Matrix3d& light_turn) const;
+  [[nodiscard]] Veil veil(const LitStage& stage, const std::vector<Pose>& poses, const Eigen::Vector3d& eye) const;
   /// What an object shows to rays in its own axes.
   [[nodiscard]] Surface object_surface(const LitStage& stage, std::size_t index,
                                        const Eigen::Matrix3d& light_turn) const;

@@ -54,12 +54,23 @@ void report_volume(const Transfer& volume, const VolumeReport& report) {
                   static_cast<double>(peak_memory()) / 1048576.0));
 }
 
-Transfer medium_volume_to_file(const std::string& file, const Scene& scene, const VolumeOptions& options,
-                               VolumeReport& report) {
-  Transfer volume = bake_medium_volume(scene, options, say);
+// A medium is not traced by the ray tracer, and is quick enough to begin again.
+void require_medium_options(const VolumeCommand& command, const std::string& name) {
+  for (const auto& [is_given, option] : {std::pair(!command.instruction_set.empty(), "--instruction-set"),
+                                         std::pair(!command.checkpoint.file.empty(), "--checkpoint"),
+                                         std::pair(command.checkpoint.restart, "--restart")}) {
+    if (!is_given) continue;
+    throw std::invalid_argument(
+        fmt::format("{}: {}: is for meshes; this scene has a medium: expected no such option", name, option));
+  }
+}
+
+Transfer medium_volume_to_file(const VolumeCommand& command, const Scene& scene, VolumeReport& report) {
+  require_medium_options(command, scene.name);
+  Transfer volume = bake_medium_volume(scene, volume_options(command), say);
   report.border = blocked_at_border(volume);
-  report.bake.rays = volume.receivers() * static_cast<std::size_t>(options.directions);
-  write_transfer(file, volume);
+  report.bake.rays = volume.receivers() * static_cast<std::size_t>(command.volume.directions);
+  write_transfer(command.output, volume);
   return volume;
 }
 
@@ -75,7 +86,7 @@ void run_volume(const VolumeCommand& command) {
   output::require_no_input(settings.checkpoint.path, scene.files);
   VolumeReport report;
   const Transfer volume =
-      scene.medium ? medium_volume_to_file(command.output, scene, volume_options(command), report)
+      scene.medium ? medium_volume_to_file(command, scene, report)
                    : bake_volume_to_file(command.output, scene, volume_options(command), settings, &report, say);
   report_volume(volume, report);
   report_time(stopwatch, fmt::format("baked {} points, light of degree {}, result of degree {}, {} directions, into {}",

@@ -1,8 +1,8 @@
-// Relights a deforming mesh [Green 2003, "Rendering with 4 coefficients"]: its vertices follow bones. The transfer of a vertex
-// turns with its bones, as if the surfaces around it turned, too; that is the same as light that turns back. So the light is
+// Relights a deforming mesh, whose vertices follow bones. "Blending SH vectors the same way we use blending matrices for
+// joints works well for the cosine term" [Green 2003], but not for shadows: they stay those of the pose that was baked, and
+// turn with the bones. A vector that turns meets the light as the vector at rest meets light that turns back: the light is
 // turned into the axes of every bone once a frame, and a vertex meets the mix of these lights by its weights. Exact where
-// all bones turn alike; else shadows are those of the pose that was baked. Bands above 1 make less sense the
-// more a mesh bends: a light of degree 1 takes 4 coefficients of any transfer.
+// all bones turn alike. At degree 1, 4 coefficients a vertex, the mix is that of the normals.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -21,8 +21,8 @@ struct Skin {
   std::vector<std::array<float, 4>> weights;        // (vertices), 0 or more, which sum to 1
 };
 
-/// Exit radiance per vertex, (vertices), linear RGB, of diffuse transfer without bounces. rotations: of the bones, from the pose that was
-/// baked. The light is in the world; one of lower degree than the transfer is zero in the bands above. In parallel; the same
+/// Exit radiance per vertex, (vertices), linear RGB, of diffuse transfer without bounces. rotations: of the bones, from the
+/// pose that was baked. The light is in the world; one of lower degree than the transfer is zero in the bands above. In parallel; the same
 /// bits for any number of threads. Throws std::invalid_argument, which names the vertex, for a bone that is not there, weights
 /// that are negative or do not sum to 1 within 1e-3, and entries that are not one a vertex; and like recolored().
 std::vector<Eigen::Vector3f> relight_skinned(const Transfer& transfer, const Skin& skin,

@@ -1,5 +1,5 @@
-// A stage from a JSON file: baked objects and media that rest or move rigidly under one distant light. prt/RUNTIME.md lists the
-// keys; prt/runtime/relight_stage.hpp relights it. World axes: z up, right-handed.
+// A stage from a JSON file: baked objects and media that rest or move rigidly under one distant light. prt/RUNTIME.md lists
+// the keys; prt/runtime/relight_stage.hpp relights it. World axes: z up, right-handed.
 #pragma once
 #include <Eigen/Core>
 #include <memory>
@@ -44,8 +44,7 @@ struct StageObject {
   std::string file;  // the path to it
   std::shared_ptr<const Transfer> transfer;
   Motion motion;
-  Sphere
-      proxy;  // in the object's axes; it blocks the light of other objects; a radius of 0, as media have, blocks nothing
+  Sphere proxy;  // in the object's axes; it blocks the light of other objects; a radius of 0 (of media) blocks nothing
   /// The space around the object, in its axes: it blocks the light of other objects in place of the proxy. Null: none.
   std::shared_ptr<const Transfer> volume;
   std::string volume_file;  // the path to it

@@ -5,8 +5,9 @@
 #include <array>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <stdexcept>
+
+#include "numeric/output/atomic_file.hpp"
 
 namespace {
 
@@ -28,9 +29,7 @@ void rewrite(const std::string& folder, const std::string& page) {
   for (const auto& [command, part] : sh::test::parts_of_page(page)) {
     text += command.empty() ? part : printed_by("'" + folder + "/'" + command);
   }
-  const std::string made = page + ".new";
-  std::ofstream(made, std::ios::binary) << text;
-  std::filesystem::rename(made, page);
+  sh::output::write_file(page, text);
 }
 
 }  // namespace

@@ -105,6 +105,19 @@ TEST(Estimate, CountsRaysAndFormFactorsFromASample) {
   }
 }
 
+TEST(Estimate, LeavesItsTracerToABakeOfTheSameRaysAndNumbers) {
+  Scene mirrored = room(&kInterreflected);
+  mirrored.mesh.mirror.assign(mirrored.mesh.positions.size(), Eigen::Vector3f(0.3F, 0.2F, 0.1F));  // a bake a channel
+  for (const Scene& scene : {room(&kShadowed), room(&kInterreflected), mirrored}) {
+    BakeReport alone;
+    BakeReport estimated;
+    const Transfer transfer = bake(scene, &alone);
+    EXPECT_EQ(bake(scene, &estimated, [](const std::string& /*line*/) {}).coefficients, transfer.coefficients);
+    EXPECT_EQ(estimated.rays, alone.rays);
+    EXPECT_GT(alone.rays, 0U);
+  }
+}
+
 TEST(Tool, BakesWithinABudgetAndSaysWhatIsMissing) {
   const TemporaryFolder folder;
   const std::string scene = folder.file("scene.json");

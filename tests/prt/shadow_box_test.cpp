@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "numeric/sampling/sphere_nodes.hpp"
@@ -103,6 +104,16 @@ TEST(ShadowBox, HoldsAllPointsThatLoseMoreLight) {
   }
 }
 
+// The faintest shadow of the most concentrated light that a volume meets.
+TEST(ShadowBox, EndsWhereShadowsAreLookedForAtTheLeastPart) {
+  const Mesh mesh = unit_ball();
+  const auto box =
+      shadow_box(bounds_of(mesh), sun(kHighestProduct, {0.0, 0.0, 1.0}), LightTurns::kNone, kFaintestShadow);
+  ASSERT_TRUE(box.has_value());
+  EXPECT_LT(-box->min().z(), 1040.0 * sphere_radius(mesh)) << "1050, the farthest of all, would be cut off";
+  EXPECT_GT(-box->min().z(), 100.0 * sphere_radius(mesh));
+}
+
 TEST(ShadowBox, HoldsForTheTurnsOfTheLight) {
   const Mesh mesh = unit_ball();
   const auto box = [&](double azimuth, LightTurns turns) {
@@ -143,6 +154,10 @@ TEST(ShadowBox, IsTheDefaultOfVolumesUnderLights) {
   scene.lights = {spec};
   const Eigen::AlignedBox3d lit = default_box(scene, options);
   EXPECT_GT(lit.max().x(), dark.max().x());
+  for (const double part : {0.0, -1.0, 0.9 * kFaintestShadow, 1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    options.faintest_shadow = part;
+    EXPECT_THROW(bake_volume(scene, options, {}), std::invalid_argument) << part;
+  }
   options.faintest_shadow = 0.5;
   EXPECT_LT(default_box(scene, options).max().x(), lit.max().x());
   options.reflects = true;

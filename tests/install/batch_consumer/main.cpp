@@ -1,4 +1,4 @@
-// The library over many records against loops over the headers, on any processor: plain and blocked records, few and many.
+// The library over many records against loops over the headers, on any processor: plain records, few and many.
 #include <cmath>
 #include <cstddef>
 #include <cstdio>

@@ -158,6 +158,27 @@ TEST(MediumVolume, ShadowsAStageAsTheTransmittanceDoes) {
   EXPECT_LT(darkest, 0.8) << "there is a shadow";
 }
 
+TEST(MediumVolume, OfACloudThatIsLitByTheSceneTakesWhatSurfacesSend) {
+  Stage stage =
+      stage_of(baked(primitive_mesh("plane", 3, Eigen::Affine3f(Eigen::Scaling(40.0F))), &kUnshadowed, 64, 2));
+  StageObject& cloud = stage.objects.emplace_back();
+  cloud.name = "cloud";
+  cloud.transfer = std::make_shared<const Transfer>(
+      bake_medium(cloud_of(uniform({2, 2, 2}, 1.0, 0.5F), Eigen::Vector3f::Ones()), kAllMemory));
+  cloud.motion.keys.front().position = Eigen::Vector3d(0.0, 0.0, 1.0);
+  cloud.from_scene = true;
+  stage.objects.front().proxy.radius = 0.0;
+  LightSpec sky{};
+  sky.type = LightType::kConstant;
+  const StageLighting lighting(
+      stage, [](int degree) { return constant_light(degree); }, Shading(), load_lights({sky}, OnFlaw::kRefuse));
+  const LitStage lit = lighting.at(poses_at(stage, 0.0), Eigen::Matrix3d::Identity());
+  EXPECT_TRUE(lit.radiance(1, Eigen::Vector3d::Zero()).empty());
+  // The sky from above, and from below what the ground reflects of it.
+  const double albedo = static_cast<double>(stage.objects.front().transfer->mesh.albedo[0].x());
+  EXPECT_NEAR(lit.light(1).at(0, 0), 0.5 * kWhole * (1.0 + albedo), 0.03 * kWhole);
+}
+
 PlacedMedium placed(const Transfer& transfer, const LightCoefficients& light, const Pose& pose = {}) {
   return {&transfer, pose, scattered_light(transfer, light)};
 }

@@ -204,6 +204,10 @@ TEST_F(MediumTool, ShadowsTheObjectsOfAStageAndShowsBeforeThem) {
   expect_refused({"render", stage, "-o", picture}, "an object with surfaces");
   expect_refused({"volume", scene, "-o", around, "--reflected"}, "light that a medium sends is not kept around it");
   expect_refused({"volume", scene, "-o", around, "--box", "0,0,0,1,1,1"}, "does not contain the object");
+  for (const Arguments& more :
+       {Arguments{"--instruction-set", "avx2"}, {"--restart"}, {"--checkpoint", folder.file("x")}}) {
+    expect_refused(joined(volume, more), more[0] + ": is for meshes");
+  }
   EXPECT_EQ(bytes, read_all(around));
 }
 
