@@ -45,10 +45,7 @@ std::vector<Eigen::Vector3f> relight_skinned(const Transfer& transfer, const Ski
                                              const LightCoefficients& light) {
   check(transfer, skin, rotations.size());
   std::vector<LightCoefficients> lights;  // in the axes of the bones
-  for (const Eigen::Matrix3d& rotation : rotations) {
-    lights.push_back(turned(light, rotation.transpose()));
-    require_light(transfer, lights.back());
-  }
+  for (const Eigen::Matrix3d& rotation : rotations) lights.push_back(turned(light, rotation.transpose()));
   const std::size_t vertices = transfer.mesh.positions.size();
   std::vector<Eigen::Vector3f> radiance(vertices);
   for_vertices(vertices, [&](std::size_t v) {

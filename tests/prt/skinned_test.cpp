@@ -85,6 +85,12 @@ TEST(Skinned, RefusesBadSkinsInOneLine) {
   };
   const LightCoefficients light = random_light(1, 5);
   EXPECT_NE(said(skin_of(4, {0, 0, 0, 0}, {1, 0, 0, 0}), transfer, light).find("for 5 vertices"), std::string::npos);
+  Skin uneven = skin_of(5, {0, 0, 0, 0}, {1, 0, 0, 0});
+  uneven.bones.pop_back();
+  EXPECT_NE(said(uneven, transfer, light).find("a skin of 4 and 5 entries"), std::string::npos);
+  uneven = skin_of(5, {0, 0, 0, 0}, {1, 0, 0, 0});
+  uneven.weights.pop_back();
+  EXPECT_NE(said(uneven, transfer, light).find("a skin of 5 and 4 entries"), std::string::npos);
   EXPECT_NE(said(skin_of(5, {0, 2, 0, 0}, {1, 0, 0, 0}), transfer, light).find("bone 2 of 2"), std::string::npos);
   EXPECT_NE(said(skin_of(5, {0, 1, 0, 0}, {1, 0.5F, 0, 0}), transfer, light).find("sum to 1.5"), std::string::npos);
   EXPECT_NE(said(skin_of(5, {0, 1, 0, 0}, {1.5F, -0.5F, 0, 0}), transfer, light).find("-0.5"), std::string::npos);
