@@ -1,7 +1,6 @@
 #include "prt/runtime/relight.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
 
 #include <algorithm>
 #include <array>
@@ -24,7 +23,8 @@ namespace {
 
 static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "colors are read and written as plain floats");
 
-constexpr std::size_t kVerticesAtOnce = 2048;
+constexpr std::size_t kChannels = 3;
+constexpr std::size_t kVerticesAtOnce = 2048;  // whole blocks
 
 void require_diffuse(const Transfer& transfer) {
   if (transfer.kind->is_glossy()) {
@@ -53,67 +53,85 @@ void require_count(std::size_t count, const Transfer& transfer, const char* what
   }
 }
 
-/// The light in single precision and in the degree of the transfer, channel by channel; one channel if all are equal.
-std::vector<float> light_of(const Transfer& transfer, const LightCoefficients& light) {
-  const std::size_t n = light.bands_squared();
-  const auto first = light.values.begin();
-  const auto end = first + static_cast<std::ptrdiff_t>(n);
-  const bool is_white = std::equal(first, end, end) && std::equal(first, end, end + static_cast<std::ptrdiff_t>(n));
-  std::vector<float> values = in_single(light, transfer.degree());
-  if (is_white) values.resize(coefficient_count(transfer.degree()));
-  return values;
+/// The light of a call, in single precision and in the degree of the transfer, channel by channel.
+struct PreparedLight {
+  PreparedLight(const Transfer& transfer, const LightCoefficients& light);
+  std::vector<float> complete;  // (3, bands^2)
+  /// What meets the columns that are stored: (3, columns of a row), for one row or for one row a channel.
+  std::size_t rows = 1;
+  std::vector<float> stored;
+};
+
+PreparedLight::PreparedLight(const Transfer& transfer, const LightCoefficients& light)
+    : complete(in_single(light, transfer.degree())) {
+  if (!transfer.stored.in_blocks) return;
+  const TransferShape& shape = transfer.shape;
+  const std::vector<std::size_t> places = stored_columns(shape);
+  rows = shape.storage.one_channel ? 1 : shape.channels;
+  const std::size_t columns = places.size() / rows;  // the places of the first channel come first
+  for (std::size_t channel = 0; channel < kChannels; ++channel) {
+    for (std::size_t k = 0; k < columns; ++k) stored.push_back(complete[channel * shape.count() + places[k]]);
+  }
 }
 
 /// The sums of `count` complete rows of a transfer of this shape, three a row. Number: float, or batch::Half.
 template <class Number>
-void sums_of(const TransferShape& shape, const Number* rows, std::size_t count, const std::vector<float>& light,
+void sums_of(const TransferShape& shape, const Number* rows, std::size_t count, const PreparedLight& light,
              float* out) {
-  const bool is_white = light.size() == shape.count();
-  const auto all = batch::plain(rows);
-  if (shape.channels == 3 && is_white) {
-    batch::relight(shape.degree, 3 * count, all, light.data(), batch::plain(out));
-  } else if (shape.channels == 3) {
-    batch::relight_colored(shape.degree, count, all, light.data(), batch::plain(out));
-  } else if (!is_white) {
-    batch::relight_rgb(shape.degree, count, all, light.data(), batch::plain(out));
+  if (shape.channels == 3) {
+    batch::relight_colored(shape.degree, count, batch::plain(rows), light.complete.data(), batch::plain(out));
   } else {
-    alignas(64) std::array<float, kVerticesAtOnce> sums;
-    for (std::size_t first = 0; first < count; first += kVerticesAtOnce) {
-      const std::size_t some = std::min(kVerticesAtOnce, count - first);
-      batch::relight(shape.degree, some, batch::plain(rows + first * shape.length()), light.data(),
-                     batch::plain(sums.data()));
-      for (std::size_t v = 0; v < some; ++v) {
-        for (std::size_t channel = 0; channel < 3; ++channel) out[3 * (first + v) + channel] = sums[v];
-      }
-    }
+    batch::relight_rgb(shape.degree, count, batch::plain(rows), light.complete.data(), batch::plain(out));
   }
 }
 
-/// The same for rows `first` and on, as they are stored.
+template <class Stored>
+void relight_blocks(const std::byte* data, const Rows& rows, std::size_t blocks, const PreparedLight& light,
+                    const float* factors, float* out, bool past_caches) {
+  const auto* numbers = reinterpret_cast<const Stored*>(data);
+  const std::size_t columns = light.stored.size() / kChannels;
+  batch::relight_stored({numbers, rows.scale().data(), light.rows, columns}, blocks, light.stored.data(), factors, out,
+                        past_caches);
+}
+
+/// What rows in whole blocks, of those from `first` on, send out, times factors, which may be null: how many there are of
+/// `count`. `first` begins a block.
+std::size_t relight_blocks(Element element, const Rows& rows, std::size_t first, std::size_t count,
+                           const PreparedLight& light, const float* factors, float* out, bool past_caches) {
+  if (first >= rows.in_blocks()) return 0;
+  const std::size_t some = std::min(count, rows.in_blocks() - first);
+  const auto relight = element == Element::kByte   ? relight_blocks<std::int8_t>
+                       : element == Element::kHalf ? relight_blocks<batch::Half>
+                                                   : relight_blocks<float>;
+  relight(rows.block(first), rows, some / kReceiversOfBlock, light, factors, out, past_caches);
+  return some;
+}
+
+/// The same for rows `first` and on, as they are stored; `first` begins a block.
 void sums_of(const TransferShape& shape, const Rows& rows, std::size_t first, std::size_t count,
-             const std::vector<float>& light, float* out) {
+             const PreparedLight& light, float* out) {
   if (const std::uint16_t* halves = rows.halves(first)) {
     return sums_of(shape, reinterpret_cast<const batch::Half*>(halves), count, light, out);
   }
-  rows.each(first, count, [&](std::size_t v, std::size_t some, const float* numbers) {
-    sums_of(shape, numbers, some, light, out + 3 * (v - first));
+  const std::size_t done = relight_blocks(shape.storage.element, rows, first, count, light, nullptr, out, false);
+  rows.each(first + done, count - done, [&](std::size_t v, std::size_t some, const float* numbers) {
+    sums_of(shape, numbers, some, light, out + kChannels * (v - first));
   });
 }
 
-/// Calls work(first vertex, vertices) for ranges of at most kVerticesAtOnce vertices, in parallel.
+/// Calls work(first vertex, vertices) for every kVerticesAtOnce vertices, in parallel.
 template <class Work>
 void for_ranges(const Transfer& transfer, const Work& work) {
-  const tbb::blocked_range<std::size_t> all(0, transfer.receivers(), kVerticesAtOnce);
-  in_parallel(all, [&](const auto& range) {
-    for (std::size_t v = range.begin(); v < range.end(); v += kVerticesAtOnce) {
-      work(v, std::min(kVerticesAtOnce, range.end() - v));
-    }
+  const std::size_t vertices = transfer.receivers();
+  in_parallel(std::size_t{0}, (vertices + kVerticesAtOnce - 1) / kVerticesAtOnce, [&](std::size_t range) {
+    const std::size_t first = range * kVerticesAtOnce;
+    work(first, std::min(kVerticesAtOnce, vertices - first));
   });
 }
 
 /// Calls give(vertex, sums) with the sums of every vertex, (3), of transfer whose rows are clustered, in parallel.
 template <class Give>
-void for_clustered(const Transfer& transfer, const std::vector<float>& light, const Give& give) {
+void for_clustered(const Transfer& transfer, const PreparedLight& light, const Give& give) {
   const Clusters& clusters = transfer.clusters;
   std::vector<float> lit(clusters.basis.size() / clusters.length * 3);
   sums_of(transfer.shape, clusters.basis.data(), lit.size() / 3, light, lit.data());
@@ -149,15 +167,19 @@ void write_past_caches(const float* values, const float* factors, std::size_t co
   for (; i < count; ++i) out[i] = value(i);
 }
 
+void add_emitted(const Transfer& transfer, std::size_t first, std::size_t count, Eigen::Vector3f* radiance) {
+  for (std::size_t v = 0; !transfer.emitted.empty() && v < count; ++v) radiance[v] += transfer.emitted[first + v];
+}
+
 /// The sums of `count` vertices from `first` on, times their colors if the rows hold no albedo, with the emitted light;
 /// colors, one a vertex from `first` on.
 void finish(const Transfer& transfer, std::size_t first, std::size_t count, const Eigen::Vector3f* colors,
             Eigen::Vector3f* radiance) {
-  const auto values = static_cast<Eigen::Index>(3 * count);
+  const auto values = static_cast<Eigen::Index>(kChannels * count);
   if (!transfer.shape.holds_albedo) {
     Eigen::Map<Eigen::ArrayXf>(radiance->data(), values) *= Eigen::Map<const Eigen::ArrayXf>(colors->data(), values);
   }
-  for (std::size_t v = 0; !transfer.emitted.empty() && v < count; ++v) radiance[v] += transfer.emitted[first + v];
+  add_emitted(transfer, first, count, radiance);
 }
 
 /// `colors` serve transfer without the albedo.
@@ -167,7 +189,7 @@ void relight_with(const Transfer& transfer, const LightCoefficients& light, std:
   require_light(transfer, light);
   if (!transfer.shape.holds_albedo) require_count(colors.size(), transfer, "colors");
   require_count(radiance.size(), transfer, "radiances");
-  const std::vector<float> values = light_of(transfer, light);
+  const PreparedLight values(transfer, light);
   if (!transfer.clusters.empty()) {
     return for_clustered(transfer, values, [&](std::size_t v, const Eigen::Vector3f& sums) {
       radiance[v] = sums;
@@ -176,12 +198,18 @@ void relight_with(const Transfer& transfer, const LightCoefficients& light, std:
   }
   const Rows rows = transfer.rows();
   const bool past_caches = rows.bytes() > kCachedBytes && transfer.emitted.empty();
+  const auto factors = [&](std::size_t first) { return transfer.shape.holds_albedo ? nullptr : colors[first].data(); };
   for_ranges(transfer, [&](std::size_t first, std::size_t count) {
+    const std::size_t in_blocks = relight_blocks(transfer.shape.storage.element, rows, first, count, values,
+                                                 factors(first), radiance[first].data(), past_caches);
+    add_emitted(transfer, first, in_blocks, &radiance[first]);
+    if (in_blocks == count) return;
+    first += in_blocks;
+    count -= in_blocks;
     if (past_caches) {
-      std::array<float, 3 * kVerticesAtOnce> sums;
+      std::array<float, kChannels * kVerticesAtOnce> sums;
       sums_of(transfer.shape, rows, first, count, values, sums.data());
-      return write_past_caches(sums.data(), transfer.shape.holds_albedo ? nullptr : colors[first].data(), 3 * count,
-                               radiance[first].data());
+      return write_past_caches(sums.data(), factors(first), kChannels * count, radiance[first].data());
     }
     sums_of(transfer.shape, rows, first, count, values, radiance[first].data());
     finish(transfer, first, count, colors.data() + first, &radiance[first]);
@@ -242,7 +270,7 @@ Eigen::Vector3f relight_vertex(const Transfer& transfer, std::size_t vertex, con
   require_no_albedo(transfer);
   std::vector<float> room;
   Eigen::Vector3f radiance;
-  sums_of(transfer.shape, transfer.row(vertex, room), 1, light_of(transfer, light), radiance.data());
+  sums_of(transfer.shape, transfer.row(vertex, room), 1, PreparedLight(transfer, light), radiance.data());
   finish(transfer, vertex, 1, &color, &radiance);
   return radiance;
 }
@@ -251,8 +279,7 @@ std::vector<float> relight_gray(const Transfer& transfer, const LightCoefficient
   require_diffuse(transfer);
   require_light(transfer, light);
   require_no_albedo(transfer);
-  std::vector<float> values = light_of(transfer, light);
-  values.resize(transfer.shape.count());
+  const PreparedLight values(transfer, light);
   std::vector<float> radiance(transfer.receivers());
   if (!transfer.clusters.empty()) {
     for_clustered(transfer, values, [&](std::size_t v, const Eigen::Vector3f& sums) { radiance[v] = sums[0]; });
@@ -260,9 +287,9 @@ std::vector<float> relight_gray(const Transfer& transfer, const LightCoefficient
   }
   const Rows rows = transfer.rows();
   for_ranges(transfer, [&](std::size_t first, std::size_t count) {
-    rows.each(first, count, [&](std::size_t v, std::size_t some, const float* numbers) {
-      batch::relight(transfer.degree(), some, batch::plain(numbers), values.data(), batch::plain(&radiance[v]));
-    });
+    std::array<float, kChannels * kVerticesAtOnce> sums;
+    sums_of(transfer.shape, rows, first, count, values, sums.data());
+    for (std::size_t v = 0; v < count; ++v) radiance[first + v] = sums[kChannels * v];
   });
   return radiance;
 }

@@ -1,9 +1,9 @@
 // Relighting: multiplies baked transfer vectors by the coefficients of a light, in several ways [Green 2003, "Rendering
 // SH Diffuse Surfaces"]. All ways read the rows in the order of the transfer file (generated
-// drivers `relight*`), run in parallel and give the same bits on every machine and for any number of threads. Single
-// precision.
+// drivers `relight*`; batch/stored.hpp for what a file stores otherwise), run in parallel and give the same bits on every
+// machine and for any number of threads. Single precision.
 //   a light of any color           relight: three sums a vertex
-//   white light                    relight under a light whose channels are equal: one sum a vertex, the same bits
+//   white light                    relight under a light whose channels are equal: memory is the limit, not its sums
 //   recolored                      any color a vertex in place of the albedo: recolored
 //   gray                           one number a vertex, no color: relight_gray
 //   4 coefficients                 any of these under a light of degree 1, which is zero in the higher bands
@@ -36,8 +36,7 @@ std::vector<Eigen::Vector3f> relight(const Transfer& transfer, const LightCoeffi
 /// one entry a vertex.
 void relight_into(const Transfer& transfer, const LightCoefficients& light, std::span<Eigen::Vector3f> radiance);
 
-/// The same with `colours`, (vertices), in place of the albedo: white light needs one sum a vertex, whatever the
-/// colors. Also throws std::invalid_argument for transfer with bounces, which holds its albedo, and unless there is one
+/// The same with `colours`, (vertices), in place of the albedo. Also throws std::invalid_argument for transfer with bounces, which holds its albedo, and unless there is one
 /// color a vertex.
 std::vector<Eigen::Vector3f> recolored(const Transfer& transfer, const LightCoefficients& light,
                                        std::span<const Eigen::Vector3f> colors);

@@ -9,6 +9,18 @@
 
 namespace sh::prt {
 
+namespace {
+
+// to (columns) = items of this type, `step` of them apart.
+template <class Item>
+void copy_row(const std::byte* from, std::size_t step, std::size_t columns, std::byte* to) {
+  for (std::size_t j = 0; j < columns; ++j) {
+    std::memcpy(to + j * sizeof(Item), from + j * step * sizeof(Item), sizeof(Item));
+  }
+}
+
+}  // namespace
+
 Rows::Rows(const std::vector<float>& complete, const Encoded& stored, const TransferShape& shape)
     : length_(shape.length()) {
   if (stored.empty()) {
@@ -18,6 +30,7 @@ Rows::Rows(const std::vector<float>& complete, const Encoded& stored, const Tran
   }
   stored_ = &stored;
   element_ = shape.storage.element;
+  blocks_ = stored.in_blocks;
   places_ = stored_columns(shape);
   columns_ = places_.size();
   copies_ = shape.storage.one_channel ? shape.channels : 1;
@@ -36,7 +49,7 @@ Rows::Rows(const std::vector<float>& complete, const Encoded& stored, const Tran
 std::size_t Rows::bytes() const { return stored_ != nullptr ? stored_->data.size() : count_ * length_ * sizeof(float); }
 
 const std::uint16_t* Rows::halves(std::size_t first) const {
-  if (stored_ == nullptr || element_ != Element::kHalf || !places_.empty()) return nullptr;
+  if (stored_ == nullptr || blocks_ || element_ != Element::kHalf || !places_.empty()) return nullptr;
   return reinterpret_cast<const std::uint16_t*>(stored_->data.data()) + first * columns_;
 }
 
@@ -60,9 +73,25 @@ void Rows::widen(const std::byte* from, std::size_t rows, float* to) const {
   }
 }
 
+const std::byte* Rows::narrow(std::size_t first, std::size_t count, std::vector<std::byte>& room) const {
+  const std::size_t size = bytes_of(element_);
+  const std::byte* data = stored_->data.data();
+  if (first >= in_blocks()) return data + first * columns_ * size;
+  room.resize(count * columns_ * size);
+  const auto row = size == 1 ? copy_row<std::int8_t> : size == 2 ? copy_row<std::int16_t> : copy_row<float>;
+  for (std::size_t v = first; v < first + count; ++v) {
+    const bool in_block = v < in_blocks();
+    const std::size_t lane = in_block ? v % kReceiversOfBlock : 0;
+    row(data + ((v - lane) * columns_ + lane) * size, in_block ? kReceiversOfBlock : 1, columns_,
+        room.data() + (v - first) * columns_ * size);
+  }
+  return room.data();
+}
+
 const float* Rows::some(std::size_t first, std::size_t count, std::vector<float>& room) const {
   if (stored_ == nullptr) return complete_ + first * length_;
-  const std::byte* from = stored_->data.data() + first * columns_ * bytes_of(element_);
+  std::vector<std::byte> of_blocks;
+  const std::byte* from = narrow(first, count, of_blocks);
   room.resize(count * (length_ + (places_.empty() ? 0 : columns_)));
   if (places_.empty()) {
     widen(from, count, room.data());

@@ -26,6 +26,13 @@ class Rows {
   [[nodiscard]] const float* some(std::size_t first, std::size_t count, std::vector<float>& room) const;
   /// The same where rows are stored in half precision, complete and by their bits; null where they are not.
   [[nodiscard]] const std::uint16_t* halves(std::size_t first) const;
+  /// How many receivers are in whole blocks (storage.hpp): the first ones, or none.
+  [[nodiscard]] std::size_t in_blocks() const { return blocks_ ? count_ / kReceiversOfBlock * kReceiversOfBlock : 0; }
+  /// The block that begins with receiver `first`, as it is stored, and the scales of 8 bits.
+  [[nodiscard]] const std::byte* block(std::size_t first) const {
+    return stored_->data.data() + first * columns_ * bytes_of(element_);
+  }
+  [[nodiscard]] const std::vector<float>& scale() const { return stored_->scale; }
   /// All rows, (count, length).
   [[nodiscard]] std::vector<float> all() const;
 
@@ -49,12 +56,15 @@ class Rows {
     return rows < kBlock ? rows : rows / kBlock * kBlock;
   }
   void widen(const std::byte* from, std::size_t rows, float* to) const;
+  // Rows as a file has them: where they are, or copied to `room`.
+  const std::byte* narrow(std::size_t first, std::size_t count, std::vector<std::byte>& room) const;
 
   const float* complete_ = nullptr;
   const Encoded* stored_ = nullptr;
   std::size_t length_;
   std::size_t count_ = 0;
   Element element_ = Element::kSingle;
+  bool blocks_ = false;
   std::size_t columns_ = 0;    // stored
   std::vector<float> scales_;  // of 8 bits: those of the columns, again and again for some rows
   std::size_t copies_ = 1;     // of a column, `apart_` numbers apart

@@ -1,6 +1,7 @@
 #include "prt/transfer/storage.hpp"
 
 #include <fmt/core.h>
+#include <oneapi/tbb/blocked_range.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <stdexcept>
 
 #include "prt/arrays.hpp"
+#include "prt/chunks.hpp"
 #include "prt/names.hpp"
 #include "prt/transfer/rows.hpp"
 
@@ -41,6 +43,34 @@ void put(std::byte* to, Element element, float value, float scale) {
   if (element == Element::kSingle) return copy_to(to, value);
   if (element == Element::kHalf) return copy_to(to, static_cast<Eigen::half>(value).x);
   copy_to(to, quantized(value, scale));
+}
+
+// to (columns, rows) = from (rows, columns), of items of this type.
+template <class Item>
+void transpose(const std::byte* from, std::size_t rows, std::size_t columns, std::byte* to) {
+  for (std::size_t j = 0; j < columns; ++j) {
+    for (std::size_t i = 0; i < rows; ++i) {
+      std::memcpy(to + (j * rows + i) * sizeof(Item), from + (i * columns + j) * sizeof(Item), sizeof(Item));
+    }
+  }
+}
+
+// Every whole block of `data` transposed: its rows become columns, or the other way round.
+void transpose_blocks(std::vector<std::byte>& data, const TransferShape& shape, bool back) {
+  const std::size_t columns = shape.stored_length();
+  const std::size_t size = bytes_of(shape.storage.element);
+  const std::size_t bytes = kReceiversOfBlock * columns * size;
+  const auto transposed = size == 1 ? transpose<std::int8_t> : size == 2 ? transpose<std::int16_t> : transpose<float>;
+  const std::size_t blocks = bytes == 0 ? 0 : data.size() / bytes;
+  const tbb::blocked_range<std::size_t> all(0, blocks, 64);
+  in_parallel(all, [&](const auto& range) {
+    std::vector<std::byte> block(bytes);
+    for (std::size_t b = range.begin(); b < range.end(); ++b) {
+      std::byte* at = data.data() + b * bytes;
+      std::copy_n(at, bytes, block.begin());
+      transposed(block.data(), back ? columns : kReceiversOfBlock, back ? kReceiversOfBlock : columns, at);
+    }
+  });
 }
 
 }  // namespace
@@ -86,6 +116,18 @@ Encoded encode(const std::vector<float>& numbers, const TransferShape& shape) {
     }
   }
   return encoded;
+}
+
+void to_blocks(Encoded& encoded, const TransferShape& shape) {
+  transpose_blocks(encoded.data, shape, false);
+  encoded.in_blocks = true;
+}
+
+Encoded in_rows(const Encoded& blocks, const TransferShape& shape) {
+  Encoded rows = blocks;
+  transpose_blocks(rows.data, shape, true);
+  rows.in_blocks = false;
+  return rows;
 }
 
 std::vector<float> decode(const Encoded& encoded, const TransferShape& shape) {

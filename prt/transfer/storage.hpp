@@ -16,8 +16,13 @@ namespace sh::prt {
 struct Encoded {
   std::vector<std::byte> data;  // (receivers, shape.stored_length()) of the element
   std::vector<float> scale;     // (shape.stored_length()); bytes only
+  /// Memory only: every 16 receivers, as long as there are as many, have number k one after the other, for each k.
+  bool in_blocks = false;
   [[nodiscard]] bool empty() const { return data.empty(); }
 };
+
+/// Receivers of a block.
+inline constexpr std::size_t kReceiversOfBlock = 16;
 
 /// The places of the stored columns in a complete row, ascending; those of the first channel where it stands for all.
 /// Throws std::invalid_argument for kept columns that do not rise or are too large.
@@ -26,6 +31,10 @@ std::vector<std::size_t> stored_columns(const TransferShape& shape);
 /// numbers (receivers, shape.length()) -> file. Throws std::invalid_argument for a number that the element cannot hold
 /// (half: from 65,520 on), like stored_columns, and for numbers of another shape.
 Encoded encode(const std::vector<float>& numbers, const TransferShape& shape);
+
+/// From rows to blocks, in place, and back.
+void to_blocks(Encoded& encoded, const TransferShape& shape);
+Encoded in_rows(const Encoded& blocks, const TransferShape& shape);
 
 /// file -> (receivers, shape.length()).
 std::vector<float> decode(const Encoded& encoded, const TransferShape& shape);

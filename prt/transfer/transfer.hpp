@@ -146,7 +146,8 @@ struct Transfer {
  private:
   static const Encoded& encoded(const std::vector<float>& complete, const Encoded& stored, const Clusters& clusters,
                                 const TransferShape& shape, Encoded& room) {
-    if (!stored.empty()) return stored;
+    if (!stored.empty() && !stored.in_blocks) return stored;
+    if (!stored.empty()) return room = in_rows(stored, shape);
     room = encode(shape.storage.is_clustered() ? clusters.basis : complete, shape);
     return room;
   }

@@ -185,6 +185,10 @@ class Reader {
     check_scale(transfer, transfer.stored);
     take_clusters(transfer.shape, transfer.stored, transfer.clusters);
     take_clusters(transfer.indirect_shape, transfer.stored_indirect, transfer.indirect_clusters);
+    // Blocks meet one light much faster than rows do (prt/runtime/relight.cpp), which other kinds read one by one.
+    if (!transfer.stored.empty() && !transfer.kind->is_glossy() && !transfer.grid) {
+      to_blocks(transfer.stored, transfer.shape);
+    }
   }
 
   // The rows of clusters are few; they serve all vertices.

@@ -66,6 +66,7 @@ Transfer stored(Transfer transfer, Element element) {
   sh::prt::renew_on_large_pages(transfer.stored.data, encoded.data.size());
   std::copy(encoded.data.begin(), encoded.data.end(), transfer.stored.data.begin());
   transfer.stored.scale = encoded.scale;
+  to_blocks(transfer.stored, transfer.shape);
   return transfer;
 }
 

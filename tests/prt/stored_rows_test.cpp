@@ -100,12 +100,17 @@ Pair pair_of(const TransferKind& kind, std::size_t vertices, const Storage& stor
   return {std::move(stored), std::move(complete)};
 }
 
+// Diffuse rows in blocks, too, as a reader arranges them.
 template <class Check>
 void for_pairs(const TransferKind& kind, const Check& check) {
   for (const std::size_t vertices : kCounts) {
     for (const Storage& storage : storages(kind.shape(kDegree))) {
-      const Pair pair = pair_of(kind, vertices, storage);
+      Pair pair = pair_of(kind, vertices, storage);
       SCOPED_TRACE(name_of(pair.stored));
+      check(pair);
+      if (kind.is_glossy()) continue;
+      SCOPED_TRACE("in blocks");
+      to_blocks(pair.stored.stored, pair.stored.shape);
       check(pair);
     }
   }
@@ -169,6 +174,8 @@ TEST(StoredRows, ThatOutgrowTheCachesGiveTheRadianceOfCompleteRows) {
     complete.coefficients = stored.rows().all();
     const LightCoefficients light = light_for(stored, false);
     EXPECT_EQ(relight(stored, light), relight(complete, light)) << kind->letters;
+    to_blocks(stored.stored, stored.shape);
+    EXPECT_EQ(relight(stored, light), relight(complete, light)) << kind->letters << " in blocks";
   }
 }
 
@@ -225,10 +232,32 @@ TEST(StoredRows, OfAFileStayAsTheyAreAndAreWrittenAgainUnchanged) {
         EXPECT_TRUE(read.coefficients.empty());
         EXPECT_EQ(read.rows().bytes(), read.shape.stored_bytes(17));
         EXPECT_EQ(read.stored.data.size(), 17 * read.shape.row_bytes());
+        EXPECT_EQ(read.stored.in_blocks, kind->is_diffuse());
       }
       write_transfer(folder.file("b"), read);
       EXPECT_EQ(read_all(folder.file("b")), read_all(folder.file("a")));
     }
+  }
+}
+
+// Number k of receiver i of a block lies at 16 k + i; receivers after the last whole block stay rows.
+TEST(StoredRows, LieInBlocksOfSixteenReceivers) {
+  for (const Storage& storage : storages(kInterreflected.shape(kDegree))) {
+    const Pair pair = pair_of(kInterreflected, 35, storage);
+    const Encoded& rows = pair.stored.stored;
+    Encoded blocks = rows;
+    to_blocks(blocks, pair.stored.shape);
+    const std::size_t size = bytes_of(storage.element);
+    const std::size_t columns = pair.stored.shape.stored_length();
+    for (std::size_t i = 0; i < 35; ++i) {
+      for (std::size_t k = 0; k < columns; ++k) {
+        const std::size_t place = i < 32 ? i / 16 * 16 * columns + 16 * k + i % 16 : i * columns + k;
+        ASSERT_EQ(std::memcmp(&blocks.data[place * size], &rows.data[(i * columns + k) * size], size), 0)
+            << i << ' ' << k;
+      }
+    }
+    EXPECT_EQ(in_rows(blocks, pair.stored.shape).data, rows.data);
+    EXPECT_EQ(blocks.scale, rows.scale);
   }
 }
 
