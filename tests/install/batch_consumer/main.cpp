@@ -1,6 +1,7 @@
 // The library over many records against loops over the headers, on any processor: plain records, few and many.
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -62,6 +63,31 @@ void compare(const char* what, int degree, std::size_t n, const std::vector<floa
   }
 }
 
+// The whole blocks of records of `size` numbers, one coefficient of 16 records after the other.
+template <class Number>
+std::vector<Number> in_blocks(const std::vector<Number>& records, std::size_t size) {
+  std::vector<Number> blocks(records.size() / (16 * size) * 16 * size);
+  for (std::size_t i = 0; i < blocks.size() / size; ++i) {
+    for (std::size_t k = 0; k < size; ++k) blocks[i / 16 * 16 * size + 16 * k + i % 16] = records[i * size + k];
+  }
+  return blocks;
+}
+
+// Blocks of records in any precision against the records, one after the other.
+template <int Degree, class Number, class Wanted>
+void check_stored(const char* what, std::size_t n, const std::vector<Number>& records, const Wanted& wanted_of) {
+  constexpr std::size_t kSize = size_of(Degree);
+  const std::vector<float> light = numbers(3 * kSize);
+  const std::vector<float> scales(kSize, 1.0F / 127.0F);
+  const std::vector<Number> blocks = in_blocks(records, kSize);
+  std::vector<float> wanted(n / 16 * 16 * 3);
+  std::vector<float> ours(wanted.size());
+  wanted_of(n / 16 * 16, light.data(), wanted.data());
+  const batch::StoredBlocks<Number> stored{blocks.data(), scales.data(), 1, kSize};
+  batch::relight_stored(stored, n / 16, light.data(), nullptr, ours.data());
+  compare(what, Degree, n, ours, wanted);
+}
+
 template <int Degree>
 void check(std::size_t n) {
   constexpr std::size_t kSize = size_of(Degree);
@@ -100,6 +126,22 @@ void check(std::size_t n) {
   batch::relight_rgb(Degree, n, batch::plain(a.data()), light.data(), batch::plain(rgb.data()));
   each([&](std::size_t i) { sh::relight_rgb<Degree>(&a[i * kSize], light.data(), &sums[3 * i]); });
   compare("relight_rgb", Degree, n, rgb, sums);
+  const auto relit = [&](const auto* records) {
+    return [=](std::size_t count, const float* by, float* out) {
+      batch::relight_rgb(Degree, count, batch::plain(records), by, batch::plain(out));
+    };
+  };
+  std::vector<batch::Half> halves(a.size());
+  std::vector<std::int8_t> bytes(a.size());
+  std::vector<float> of_bytes(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    halves[i] = batch::Half(0x3000 + int(1000 * a[i]));
+    bytes[i] = std::int8_t(127 * a[i]);
+    of_bytes[i] = float(bytes[i]) / 127.0F;
+  }
+  check_stored<Degree>("relight_stored of float", n, a, relit(a.data()));
+  check_stored<Degree>("relight_stored of halves", n, halves, relit(static_cast<const batch::Half*>(halves.data())));
+  check_stored<Degree>("relight_stored of bytes", n, bytes, relit(of_bytes.data()));
 }
 
 template <int... Degree>
