@@ -34,7 +34,8 @@ struct Instructions {
 };
 
 // Adds what one dump of callgrind says: a line "desc: Trigger: Client Request: NAME", and the count of its end.
-void add_dump(const fs::path& dump, std::map<Case, Instructions>& counts) {
+// Without callgrind nobody calls it.
+[[maybe_unused]] void add_dump(const fs::path& dump, std::map<Case, Instructions>& counts) {
   const std::string mark = "Client Request: ";
   std::ifstream file(dump);
   std::string name;
