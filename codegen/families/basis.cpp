@@ -89,7 +89,8 @@ Inputs normalized_inputs(int /*degree*/) {
 std::vector<Family> basis_families() {
   return {
       {.name = "basis",
-       .recipes = {{"parity", recipes::basis_parity},
+       .recipes = {{"chebyshev", recipes::basis_chebyshev, 0, recipes::kLastChebyshev},
+                   {"parity", recipes::basis_parity},
                    {"recurrence", recipes::basis_recurrence},
                    {"centred", recipes::basis_centred},
                    {"parity-least", recipes::basis_parity_least, 0, 20, false}},
@@ -109,7 +110,8 @@ std::vector<Family> basis_families() {
        .batch = BatchDriver{.what = "Values and Cartesian gradient of the solid harmonics: values, d/dx, d/dy, d/dz",
                             .groups = true}},
       {.name = "basis_normalised",
-       .recipes = {{"parity", recipes::basis_normalised_parity}, {"centred", recipes::basis_normalised_centred}},
+       .recipes = {{"chebyshev", recipes::basis_normalised_chebyshev, 0, recipes::kLastChebyshev},
+                   {"parity", recipes::basis_normalised_parity}},
        .reference = normalized_reference,
        .domain = {.inputs = "vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20)",
                   .unit = direction_domain().unit,

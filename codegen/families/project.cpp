@@ -97,7 +97,9 @@ Inputs moments_of_samples(int degree) {
 
 std::vector<Family> project_families() {
   return {{.name = "project",
-           .recipes = {{"parity", recipes::project_parity}, {"recurrence", recipes::project_recurrence}},
+           .recipes = {{"chebyshev", recipes::project_chebyshev, 0, 8},
+                       {"parity", recipes::project_parity},
+                       {"recurrence", recipes::project_recurrence}},
            .reference = [](int degree, int points) { return accumulated(degree, points, basis_value); },
            .domain = {.inputs = kSamples,
                       .unit = "|weight| sqrt((2l+1)/(4 pi)) + |sum before|",

@@ -6,23 +6,22 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       out (36): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
-// Cost:         61 multiplications, 18 additions; longest chain 9; at most 15 values live
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Cost:         64 multiplications, 28 additions; longest chain 9; at most 15 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 1.3e-06 (11.1 eps)  largest seen 7.4e-07 (6.6 eps)
-//                       total                                 largest seen 9.0e-07 (8.1 eps)
-//               double  rounding  at most 2.5e-15 (11.9 eps)  largest seen 1.6e-15 (7.8 eps)
-//                       total                                 largest seen 2.6e-15 (12.6 eps)
+//               float   rounding  at most 7.4e-07 (6.6 eps)  largest seen 3.6e-07 (3.3 eps)
+//                       total                                largest seen 5.9e-07 (5.3 eps)
+//               double  rounding  at most 1.3e-15 (6.2 eps)  largest seen 6.1e-16 (2.9 eps)
+//                       total                                largest seen 1.2e-15 (5.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
 //               or without contraction
 //               total:    against the exact function at the input scaled to length 1
 //               seen:     among 1110 directions (random, axes, poles, near poles) and 262144 evaluations of a search,
 //               without contraction
-//               worst:    float x, y, z = -0.087471835, -0.017005771, 0.9960218
-//                         double x, y, z = 0.0004116081323500564, 0.00012198544267332542, 0.9999999078491444
+//               worst:    float x, y, z = -0.024607897, 5.052999e-05, -0.9996972
+//                         double x, y, z = -0.001614218583747332, 1.4472286705978267e-05, -0.9999986970436096
 #pragma once
 
 #include <type_traits>
@@ -61,109 +60,115 @@ namespace sh {
 
 template <class T>
 constexpr void basis_l5(T x, T y, T z, T* out) noexcept {
-  const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
-  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
-  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
-  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
-  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);     // 1/12 sqrt(210)
-  const T a_3_3  = detail::constant<T>(4.4212766f, 4.421276695971028);    // 2/3 sqrt(14) pi^(1/2)
-  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);    // 2/5 sqrt(35) pi^(1/2)
-  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);    // 1/5 sqrt(35) pi^(1/2)
-  const T k_5_5  = detail::constant<T>(1.0488088f, 1.0488088481701516);   // 1/10 sqrt(110)
-  const T k_5_4  = detail::constant<T>(3.3166249f, 3.3166247903554);      // sqrt(11)
-  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                        // 3
-  const T a_5_3  = detail::constant<T>(7.4624057f, 7.46240577829965);     // 9/4 sqrt(11)
-  const T b_5_3  = detail::constant<T>(0.8291562f, 0.82915619758885);     // 1/4 sqrt(11)
-  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);   // sqrt(7)
-  const T a_4_2  = detail::constant<T>(6.0621777f, 6.06217782649107);     // 7/2 sqrt(3)
-  const T b_4_2  = detail::constant<T>(0.8660254f, 0.8660254037844386);   // 1/2 sqrt(3)
-  const T a_5_2  = detail::constant<T>(4.974937f, 4.9749371855331);       // 3/2 sqrt(11)
-  const T b_5_2  = detail::constant<T>(1.6583124f, 1.6583123951777);      // 1/2 sqrt(11)
-  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
-  const T a_3_1  = detail::constant<T>(4.6770716f, 4.677071733467427);    // 5/4 sqrt(14)
-  const T b_3_1  = detail::constant<T>(3.7416575f, 3.7416573867739413);   // sqrt(14)
-  const T a_4_1  = detail::constant<T>(4.2866073f, 4.286607049870562);    // 7/4 sqrt(6)
-  const T b_4_1  = detail::constant<T>(2.4494898f, 2.449489742783178);    // sqrt(6)
-  const T a_5_1  = detail::constant<T>(0.7865665f, 0.7865665062071158);   // 7/66 sqrt(55)
-  const T b_5_1  = detail::constant<T>(1.2360331f, 1.2360330811826106);   // 1/6 sqrt(55)
-  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
-  const T b_2_0  = detail::constant<T>(0.63078314f, 0.63078313050504);    // 1/2 sqrt(5/pi)
-  const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
-  const T b_3_0  = detail::constant<T>(1.5275252f, 1.5275252316519468);   // 1/3 sqrt(21)
-  const T a_4_0  = detail::constant<T>(0.20149627f, 0.2014962798384844);  // 5/14 sqrt(1/pi)
-  const T b_4_0  = detail::constant<T>(0.3626933f, 0.3626933037092719);   // 9/14 sqrt(1/pi)
-  const T b_5_0  = detail::constant<T>(1.002853f, 1.002853072844814);     // 4/35 sqrt(77)
-  const T a_5_0  = detail::constant<T>(1.9899749f, 1.98997487421324);     // 3/5 sqrt(11)
+  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);   // 1/2 sqrt(3/pi)
+  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);    // 1/2 sqrt(15/pi)
+  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);   // 1/4 sqrt(15/pi)
+  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);      // 1/12 sqrt(210)
+  const T a_3_3  = detail::constant<T>(2.4152296f, 2.41522945769824);      // 1/6 sqrt(210)
+  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);     // 2/5 sqrt(35) pi^(1/2)
+  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);     // 1/5 sqrt(35) pi^(1/2)
+  const T k_5_5  = detail::constant<T>(1.0488088f, 1.0488088481701516);    // 1/10 sqrt(110)
+  const T one    = detail::constant<T>(1.0f, 1.0);                         // 1
+  const T k_5_4  = detail::constant<T>(3.3166249f, 3.3166247903554);       // sqrt(11)
+  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                         // 3
+  const T a_5_30 = detail::constant<T>(3.7312028f, 3.731202889149825);     // 9/8 sqrt(11)
+  const T b_5_30 = detail::constant<T>(2.9020467f, 2.902046691560975);     // 7/8 sqrt(11)
+  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);    // sqrt(7)
+  const T a_4_20 = detail::constant<T>(3.0310888f, 3.031088913245535);     // 7/4 sqrt(3)
+  const T b_4_20 = detail::constant<T>(2.1650636f, 2.165063509461097);     // 5/4 sqrt(3)
+  const T a_5_20 = detail::constant<T>(2.4874685f, 2.48746859276655);      // 3/4 sqrt(11)
+  const T b_5_20 = detail::constant<T>(0.8291562f, 0.82915619758885);      // 1/4 sqrt(11)
+  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);       // sqrt(5)
+  const T a_3_10 = detail::constant<T>(2.3385358f, 2.3385358667337135);    // 5/8 sqrt(14)
+  const T b_3_10 = detail::constant<T>(1.4031215f, 1.403121520040228);     // 3/8 sqrt(14)
+  const T a_4_10 = detail::constant<T>(2.1433036f, 2.143303524935281);     // 7/8 sqrt(6)
+  const T b_4_10 = detail::constant<T>(0.30618623f, 0.30618621784789724);  // 1/8 sqrt(6)
+  const T b_5_11 = detail::constant<T>(2.4334402f, 2.4334401285782645);    // 21/64 sqrt(55)
+  const T a_5_10 = detail::constant<T>(3.244587f, 3.2445868381043526);     // 7/16 sqrt(55)
+  const T b_5_10 = detail::constant<T>(1.7381716f, 1.738171520413046);     // 15/64 sqrt(55)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);   // 1/2 sqrt(1/pi)
+  const T a_2_00 = detail::constant<T>(0.47308734f, 0.47308734787878);     // 3/8 sqrt(5/pi)
+  const T b_2_00 = detail::constant<T>(0.15769579f, 0.15769578262626);     // 1/8 sqrt(5/pi)
+  const T a_3_00 = detail::constant<T>(1.9094065f, 1.9094065395649333);    // 5/12 sqrt(21)
+  const T b_3_00 = detail::constant<T>(0.3818813f, 0.3818813079129867);    // 1/12 sqrt(21)
+  const T b_4_01 = detail::constant<T>(0.46281177f, 0.46281176775401883);  // 105/128 sqrt(1/pi)
+  const T a_4_00 = detail::constant<T>(0.26446387f, 0.26446386728801075);  // 15/32 sqrt(1/pi)
+  const T b_4_00 = detail::constant<T>(0.11900874f, 0.11900874027960484);  // 27/128 sqrt(1/pi)
+  const T b_5_01 = detail::constant<T>(1.8849347f, 1.8849346183952906);    // 21/64 sqrt(33)
+  const T a_5_00 = detail::constant<T>(0.8377487f, 0.8377487192867958);    // 7/48 sqrt(33)
+  const T b_5_00 = detail::constant<T>(0.86766833f, 0.8676683164041814);   // 29/192 sqrt(33)
 
-  out[0] = k_0_0;                               // l=0 m=0
+  out[0] = k_0_0;                                            // l=0 m=0
+  const T x2 = x * x;
+  const T y2 = y * y;
+  const T xy2 = x2 + y2;
+  const T t = x2 - y2;
   const T z2 = z * z;
-  const T xy2 = one - z2;
   const T y_1_1c = k_1_1 * x;
-  out[3] = y_1_1c;                              // l=1 m=1
+  out[3] = y_1_1c;                                           // l=1 m=1
   const T y_1_1s = k_1_1 * y;
-  out[1] = y_1_1s;                              // l=1 m=-1
-  const T t = k_2_2s * x;
-  const T y_2_2s = t * y;
-  out[4] = y_2_2s;                              // l=2 m=-2
+  out[1] = y_1_1s;                                           // l=1 m=-1
+  const T y_2_2s = k_2_2s * x * y;
+  out[4] = y_2_2s;                                           // l=2 m=-2
   const T t_2 = k_5_5 * x;
   const T t_3 = k_5_5 * y;
-  const T y_2_2c = t * x - k_2_2c * xy2;
-  out[8] = y_2_2c;                              // l=2 m=2
-  const T t_4 = b_3_3 * xy2;
-  const T t_5 = a_3_3 * y_2_2c;
-  const T y_3_3c = y_1_1c * (t_5 - t_4);
-  out[15] = y_3_3c;                             // l=3 m=3
-  const T y_3_3s = y_1_1s * (t_5 + t_4);
-  out[9] = y_3_3s;                              // l=3 m=-3
+  const T y_2_2c = k_2_2c * t;
+  out[8] = y_2_2c;                                           // l=2 m=2
+  const T t_4 = a_3_3 * t;
+  const T t_5 = b_3_3 * xy2;
+  const T u = z2 - xy2;
+  const T t_6 = z2 + z2 - one;
+  const T y_3_3c = y_1_1c * (t_4 - t_5);
+  out[15] = y_3_3c;                                          // l=3 m=3
+  const T y_3_3s = y_1_1s * (t_4 + t_5);
+  out[9] = y_3_3s;                                           // l=3 m=-3
   const T y_4_4s = k_4_4s * y_2_2c * y_2_2s;
-  out[16] = y_4_4s;                             // l=4 m=-4
+  out[16] = y_4_4s;                                          // l=4 m=-4
   const T y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
-  out[24] = y_4_4c;                             // l=4 m=4
-  out[35] = t_2 * y_4_4c - t_3 * y_4_4s;        // l=5 m=5
-  out[25] = t_2 * y_4_4s + t_3 * y_4_4c;        // l=5 m=-5
+  out[24] = y_4_4c;                                          // l=4 m=4
+  out[35] = t_2 * y_4_4c - t_3 * y_4_4s;                     // l=5 m=5
+  out[25] = t_2 * y_4_4s + t_3 * y_4_4c;                     // l=5 m=-5
+  const T t_7 = (u + u) * u - one;
   const T t_5_4 = k_5_4 * z;
-  out[26] = t_5_4 * y_4_4s;                     // l=5 m=-4
-  out[34] = t_5_4 * y_4_4c;                     // l=5 m=4
+  out[26] = t_5_4 * y_4_4s;                                  // l=5 m=-4
+  out[34] = t_5_4 * y_4_4c;                                  // l=5 m=4
   const T t_4_3 = k_4_3 * z;
-  out[17] = t_4_3 * y_3_3s;                     // l=4 m=-3
-  out[23] = t_4_3 * y_3_3c;                     // l=4 m=3
-  const T p_5_3 = a_5_3 * z2 - b_5_3;
-  out[27] = p_5_3 * y_3_3s;                     // l=5 m=-3
-  out[33] = p_5_3 * y_3_3c;                     // l=5 m=3
+  out[17] = t_4_3 * y_3_3s;                                  // l=4 m=-3
+  out[23] = t_4_3 * y_3_3c;                                  // l=4 m=3
+  const T p_5_3 = a_5_30 * t_6 + b_5_30;
+  out[27] = p_5_3 * y_3_3s;                                  // l=5 m=-3
+  out[33] = p_5_3 * y_3_3c;                                  // l=5 m=3
   const T t_3_2 = k_3_2 * z;
-  const T p_4_2 = a_4_2 * z2 - b_4_2;
-  const T p_5_2 = a_5_2 * z2 - b_5_2;
-  out[18] = p_4_2 * y_2_2s;                     // l=4 m=-2
-  out[22] = p_4_2 * y_2_2c;                     // l=4 m=2
+  const T p_4_2 = a_4_20 * t_6 + b_4_20;
+  out[18] = p_4_2 * y_2_2s;                                  // l=4 m=-2
+  out[22] = p_4_2 * y_2_2c;                                  // l=4 m=2
   const T y_3_2s = t_3_2 * y_2_2s;
-  out[10] = y_3_2s;                             // l=3 m=-2
+  out[10] = y_3_2s;                                          // l=3 m=-2
   const T y_3_2c = t_3_2 * y_2_2c;
-  out[14] = y_3_2c;                             // l=3 m=2
-  out[28] = p_5_2 * y_3_2s;                     // l=5 m=-2
-  out[32] = p_5_2 * y_3_2c;                     // l=5 m=2
+  out[14] = y_3_2c;                                          // l=3 m=2
+  const T p_5_2 = a_5_20 * t_6 + b_5_20;
+  out[28] = p_5_2 * y_3_2s;                                  // l=5 m=-2
+  out[32] = p_5_2 * y_3_2c;                                  // l=5 m=2
   const T t_2_1 = k_2_1 * z;
-  const T p_3_1 = b_3_1 - a_3_1 * xy2;
-  out[11] = p_3_1 * y_1_1s;                     // l=3 m=-1
-  out[13] = p_3_1 * y_1_1c;                     // l=3 m=1
-  const T p_4_1 = b_4_1 - a_4_1 * xy2;
-  const T p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
-  out[29] = p_5_1 * y_1_1s;                     // l=5 m=-1
-  out[31] = p_5_1 * y_1_1c;                     // l=5 m=1
-  const T y_2_1s = t_2_1 * y_1_1s;
-  out[5] = y_2_1s;                              // l=2 m=-1
-  const T y_2_1c = t_2_1 * y_1_1c;
-  out[7] = y_2_1c;                              // l=2 m=1
-  out[19] = p_4_1 * y_2_1s;                     // l=4 m=-1
-  out[21] = p_4_1 * y_2_1c;                     // l=4 m=1
   const T t_1_0 = k_1_1 * z;
-  out[2] = t_1_0;                               // l=1 m=0
-  out[6] = b_2_0 - a_2_0 * xy2;                 // l=2 m=0
-  const T y_3_0 = (b_3_0 - a_3_0 * xy2) * t_1_0;
-  out[12] = y_3_0;                              // l=3 m=0
-  const T p_4_0 = a_4_0 * p_4_1 * p_4_1 - b_4_0;
-  out[20] = p_4_0;                              // l=4 m=0
-  out[30] = a_5_0 * z * p_4_0 - b_5_0 * y_3_0;  // l=5 m=0
+  out[2] = t_1_0;                                            // l=1 m=0
+  const T p_3_1 = a_3_10 * t_6 + b_3_10;
+  out[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
+  out[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
+  const T p_4_1 = a_4_10 * t_6 + b_4_10;
+  const T p_5_1 = b_5_11 * ((t_6 + t_6) * t_6 - one) + (a_5_10 * t_6 + b_5_10);
+  out[29] = p_5_1 * y_1_1s;                                  // l=5 m=-1
+  out[31] = p_5_1 * y_1_1c;                                  // l=5 m=1
+  const T y_2_1s = t_2_1 * y_1_1s;
+  out[5] = y_2_1s;                                           // l=2 m=-1
+  const T y_2_1c = t_2_1 * y_1_1c;
+  out[7] = y_2_1c;                                           // l=2 m=1
+  out[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
+  out[21] = p_4_1 * y_2_1c;                                  // l=4 m=1
+  out[6] = a_2_00 * u + b_2_00;                              // l=2 m=0
+  out[12] = (a_3_00 * u - b_3_00) * t_1_0;                   // l=3 m=0
+  out[20] = b_4_01 * t_7 + (a_4_00 * u + b_4_00);            // l=4 m=0
+  out[30] = (b_5_01 * t_7 + (b_5_00 - a_5_00 * u)) * t_1_0;  // l=5 m=0
 }
 
 }  // namespace sh

@@ -6,21 +6,20 @@
 // Input:        x, y, z
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       out (121): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
-// Cost:         236 multiplications, 65 additions, 1 divisions, 1 square roots; longest chain 25; at most 23 values
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Cost:         253 multiplications, 122 additions, 1 divisions, 1 square roots; longest chain 18; at most 24 values
 //               live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 467.7 eps  largest seen 1.3e-05 (86.8 eps)
-//               double  rounding  at most 461.5 eps  largest seen 2.8e-14 (96.2 eps)
+//               float   rounding  at most 210.3 eps  largest seen 6.1e-06 (39.8 eps)
+//               double  rounding  at most 206.2 eps  largest seen 1.2e-14 (41.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
 //               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = 0.0887994, -0.032734916, -17.25788
-//                         double x, y, z = 0.028928517101218784, -0.008006278903010667, -8.008301283495475
+//               worst:    float x, y, z = -0.001496656, -0.00048297475, -0.045212097
+//                         double x, y, z = 0.4863215517620671, -0.11760568425202379, -64.04153007116079
 #pragma once
 
 #include <cmath>
@@ -88,7 +87,7 @@ constexpr void basis_normalised_l10(T x, T y, T z, T* out) noexcept {
   const T k_2_2s   = detail::constant<T>(1.0925485f, 1.0925484305920792);    // 1/2 sqrt(15/pi)
   const T k_2_2c   = detail::constant<T>(0.54627424f, 0.5462742152960396);   // 1/4 sqrt(15/pi)
   const T b_3_3    = detail::constant<T>(1.2076148f, 1.20761472884912);      // 1/12 sqrt(210)
-  const T a_3_3    = detail::constant<T>(4.4212766f, 4.421276695971028);     // 2/3 sqrt(14) pi^(1/2)
+  const T a_3_3    = detail::constant<T>(2.4152296f, 2.41522945769824);      // 1/6 sqrt(210)
   const T k_4_4s   = detail::constant<T>(4.1943913f, 4.194391357527674);     // 2/5 sqrt(35) pi^(1/2)
   const T k_4_4c   = detail::constant<T>(2.0971956f, 2.097195678763837);     // 1/5 sqrt(35) pi^(1/2)
   const T k_5_5    = detail::constant<T>(1.0488088f, 1.0488088481701516);    // 1/10 sqrt(110)
@@ -102,326 +101,373 @@ constexpr void basis_normalised_l10(T x, T y, T z, T* out) noexcept {
   const T k_10_10c = detail::constant<T>(1.7811711f, 1.7811710639150358);    // 1/1386 sqrt(1939938) pi^(1/2)
   const T k_10_9   = detail::constant<T>(4.582576f, 4.58257569495584);       // sqrt(21)
   const T k_9_8    = detail::constant<T>(4.358899f, 4.358898943540674);      // sqrt(19)
-  const T a_10_8   = detail::constant<T>(14.51149f, 14.511489700693494);     // 19/6 sqrt(21)
-  const T b_10_8   = detail::constant<T>(0.7637626f, 0.7637626158259734);    // 1/6 sqrt(21)
+  const T a_10_80  = detail::constant<T>(7.255745f, 7.255744850346747);      // 19/12 sqrt(21)
+  const T b_10_80  = detail::constant<T>(6.4919825f, 6.491982234520774);     // 17/12 sqrt(21)
   const T k_8_7    = detail::constant<T>(4.1231055f, 4.123105625617661);     // sqrt(17)
-  const T a_9_7    = detail::constant<T>(13.09938f, 13.099379756309075);     // 17/8 sqrt(38)
-  const T b_9_7    = detail::constant<T>(0.77055174f, 0.770551750371122);    // 1/8 sqrt(38)
-  const T a_10_7   = detail::constant<T>(8.886436f, 8.88643629358811);       // 19/8 sqrt(14)
-  const T b_10_7   = detail::constant<T>(1.4031215f, 1.403121520040228);     // 3/8 sqrt(14)
+  const T a_9_70   = detail::constant<T>(6.54969f, 6.549689878154537);       // 17/16 sqrt(38)
+  const T b_9_70   = detail::constant<T>(5.779138f, 5.7791381277834155);     // 15/16 sqrt(38)
+  const T a_10_70  = detail::constant<T>(4.443218f, 4.443218146794055);      // 19/16 sqrt(14)
+  const T b_10_70  = detail::constant<T>(3.0400965f, 3.040096626753827);     // 13/16 sqrt(14)
   const T k_7_6    = detail::constant<T>(3.8729835f, 3.872983346207417);     // sqrt(15)
-  const T a_8_6    = detail::constant<T>(11.687906f, 11.687905837109694);    // 15/14 sqrt(119)
-  const T b_8_6    = detail::constant<T>(0.7791937f, 0.7791937224739796);    // 1/14 sqrt(119)
-  const T a_9_6    = detail::constant<T>(8.085113f, 8.085112715296406);      // 17/42 sqrt(399)
-  const T b_9_6    = detail::constant<T>(1.4267846f, 1.4267845968170128);    // 1/14 sqrt(399)
-  const T a_10_6   = detail::constant<T>(0.99008596f, 0.9900859682033998);   // 34/133 sqrt(15)
-  const T b_10_6   = detail::constant<T>(1.2230474f, 1.2230473724865527);    // 6/19 sqrt(15)
+  const T a_8_60   = detail::constant<T>(5.843953f, 5.843952918554847);      // 15/28 sqrt(119)
+  const T b_8_60   = detail::constant<T>(5.0647593f, 5.0647591960808676);    // 13/28 sqrt(119)
+  const T a_9_60   = detail::constant<T>(4.0425563f, 4.042556357648203);     // 17/84 sqrt(399)
+  const T b_9_60   = detail::constant<T>(2.6157718f, 2.61577176083119);      // 11/84 sqrt(399)
+  const T b_10_61  = detail::constant<T>(9.7732315f, 9.773231412695278);     // 323/128 sqrt(15)
+  const T a_10_60  = detail::constant<T>(26.747791f, 26.747791234744973);    // 221/32 sqrt(15)
+  const T b_10_60  = detail::constant<T>(17.700745f, 17.700744199463585);    // 585/128 sqrt(15)
   const T k_6_5    = detail::constant<T>(3.6055512f, 3.605551275463989);     // sqrt(13)
-  const T a_7_5    = detail::constant<T>(10.277402f, 10.277402395547233);    // 13/4 sqrt(10)
-  const T b_7_5    = detail::constant<T>(0.7905694f, 0.7905694150420949);    // 1/4 sqrt(10)
-  const T a_8_5    = detail::constant<T>(7.28869f, 7.2886898685566255);      // 5/4 sqrt(34)
-  const T b_8_5    = detail::constant<T>(1.4577379f, 1.4577379737113252);    // 1/4 sqrt(34)
-  const T a_9_5    = detail::constant<T>(0.9655088f, 0.9655088027689687);    // 15/646 sqrt(1729)
-  const T b_9_5    = detail::constant<T>(1.2229778f, 1.2229778168406935);    // 1/34 sqrt(1729)
-  const T a_10_5   = detail::constant<T>(0.5163978f, 0.5163977794943223);    // 2/15 sqrt(15)
-  const T b_10_5   = detail::constant<T>(1.051315f, 1.0513149660756935);     // 1/19 sqrt(399)
+  const T a_7_50   = detail::constant<T>(5.138701f, 5.138701197773616);      // 13/8 sqrt(10)
+  const T b_7_50   = detail::constant<T>(4.3481317f, 4.348131782731522);     // 11/8 sqrt(10)
+  const T a_8_50   = detail::constant<T>(3.644345f, 3.6443449342783127);     // 5/8 sqrt(34)
+  const T b_8_50   = detail::constant<T>(2.186607f, 2.1866069605669876);     // 3/8 sqrt(34)
+  const T b_9_51   = detail::constant<T>(7.889299f, 7.8892988631017955);     // 85/448 sqrt(1729)
+  const T a_9_50   = detail::constant<T>(20.419361f, 20.419361763322296);    // 55/112 sqrt(1729)
+  const T b_9_50   = detail::constant<T>(13.272585f, 13.272585146159491);    // 143/448 sqrt(1729)
+  const T b_10_51  = detail::constant<T>(5.046875f, 5.046875);               // 323/64
+  const T a_10_50  = detail::constant<T>(9.5625f, 9.5625);                   // 153/16
+  const T b_10_50  = detail::constant<T>(6.390625f, 6.390625);               // 409/64
   const T k_5_4    = detail::constant<T>(3.3166249f, 3.3166247903554);       // sqrt(11)
-  const T a_6_4    = detail::constant<T>(8.868484f, 8.868483523128404);      // 11/10 sqrt(65)
-  const T b_6_4    = detail::constant<T>(0.8062258f, 0.8062257748298549);    // 1/10 sqrt(65)
-  const T a_7_4    = detail::constant<T>(6.5f, 6.5);                         // 13/2
-  const T b_7_4    = detail::constant<T>(1.5f, 1.5);                         // 3/2
-  const T a_8_4    = detail::constant<T>(0.93532f, 0.9353200144398519);      // 13/425 sqrt(935)
-  const T b_8_4    = detail::constant<T>(1.2231108f, 1.2231107881136525);    // 1/25 sqrt(935)
-  const T a_9_4    = detail::constant<T>(0.52915025f, 0.5291502622129182);   // 1/5 sqrt(7)
-  const T b_9_4    = detail::constant<T>(1.0781248f, 1.078124733589055);     // 1/85 sqrt(8398)
-  const T a_10_4   = detail::constant<T>(5.9791303f, 5.979130371550699);     // 1/2 sqrt(143)
-  const T b_10_4   = detail::constant<T>(1.0065575f, 1.006557447310804);     // 1/38 sqrt(1463)
+  const T a_6_40   = detail::constant<T>(4.434242f, 4.434241761564202);      // 11/20 sqrt(65)
+  const T b_6_40   = detail::constant<T>(3.628016f, 3.6280159867343476);     // 9/20 sqrt(65)
+  const T a_7_40   = detail::constant<T>(3.25f, 3.25);                       // 13/4
+  const T b_7_40   = detail::constant<T>(1.75f, 1.75);                       // 7/4
+  const T b_8_41   = detail::constant<T>(6.2111096f, 6.2111094708896415);    // 13/64 sqrt(935)
+  const T a_8_40   = detail::constant<T>(14.906663f, 14.906662730135139);    // 39/80 sqrt(935)
+  const T b_8_40   = detail::constant<T>(9.459997f, 9.459997501816531);      // 99/320 sqrt(935)
+  const T b_9_41   = detail::constant<T>(4.1746244f, 4.174624562086392);     // 17/64 sqrt(247)
+  const T a_9_40   = detail::constant<T>(6.875852f, 6.8758522199069985);     // 7/16 sqrt(247)
+  const T b_9_40   = detail::constant<T>(4.6657567f, 4.665756863508321);     // 19/64 sqrt(247)
+  const T a_10_41  = detail::constant<T>(15.087962f, 15.087961796959966);    // 323/256 sqrt(143)
+  const T b_10_41  = detail::constant<T>(21.440788f, 21.440787816732584);    // 459/256 sqrt(143)
+  const T a_10_40  = detail::constant<T>(27.139647f, 27.139646452116846);    // 581/256 sqrt(143)
+  const T b_10_40  = detail::constant<T>(20.039429f, 20.039429135900388);    // 429/256 sqrt(143)
   const T k_4_3    = detail::constant<T>(3.0f, 3.0);                         // 3
-  const T a_5_3    = detail::constant<T>(7.4624057f, 7.46240577829965);      // 9/4 sqrt(11)
-  const T b_5_3    = detail::constant<T>(0.8291562f, 0.82915619758885);      // 1/4 sqrt(11)
-  const T a_6_3    = detail::constant<T>(5.7245817f, 5.724581498531865);     // 11/12 sqrt(39)
-  const T b_6_3    = detail::constant<T>(1.5612495f, 1.5612494995995996);    // 1/4 sqrt(39)
-  const T a_7_3    = detail::constant<T>(0.8974817f, 0.897481683813695);     // 33/52 sqrt(2)
-  const T b_7_3    = detail::constant<T>(1.2238387f, 1.2238386597459476);    // 45/52 sqrt(2)
-  const T a_8_3    = detail::constant<T>(0.5477226f, 0.5477225575051661);    // 1/10 sqrt(30)
-  const T b_8_3    = detail::constant<T>(1.1165423f, 1.116542281629615);     // 1/30 sqrt(1122)
-  const T a_9_3    = detail::constant<T>(0.7163504f, 0.7163503994113789);    // 1/38 sqrt(741)
-  const T b_9_3    = detail::constant<T>(0.32324785f, 0.32324783694046166);  // 3/646 sqrt(4845)
-  const T a_10_3   = detail::constant<T>(0.5f, 0.5);                         // 1/2
-  const T b_10_3   = detail::constant<T>(1.1413288f, 1.1413288653790232);    // 3/38 sqrt(209)
+  const T a_5_30   = detail::constant<T>(3.7312028f, 3.731202889149825);     // 9/8 sqrt(11)
+  const T b_5_30   = detail::constant<T>(2.9020467f, 2.902046691560975);     // 7/8 sqrt(11)
+  const T a_6_30   = detail::constant<T>(2.8622909f, 2.8622907492659326);    // 11/24 sqrt(39)
+  const T b_6_30   = detail::constant<T>(1.3010412f, 1.301041249666333);     // 5/24 sqrt(39)
+  const T b_7_31   = detail::constant<T>(4.7398252f, 4.7398251426410765);    // 429/128 sqrt(2)
+  const T a_7_30   = detail::constant<T>(10.208854f, 10.20885415338078);     // 231/32 sqrt(2)
+  const T b_7_30   = detail::constant<T>(6.264524f, 6.264524139574569);      // 567/128 sqrt(2)
+  const T b_8_31   = detail::constant<T>(3.4019647f, 3.4019647643402333);    // 13/128 sqrt(1122)
+  const T a_8_30   = detail::constant<T>(4.535953f, 4.535953019120312);      // 13/96 sqrt(1122)
+  const T b_8_30   = detail::constant<T>(3.227505f, 3.227505032835606);      // 37/384 sqrt(1122)
+  const T a_9_31   = detail::constant<T>(10.808268f, 10.808267459555898);    // 221/512 sqrt(627)
+  const T b_9_31   = detail::constant<T>(13.351389f, 13.351389214745522);    // 273/512 sqrt(627)
+  const T a_9_30   = detail::constant<T>(14.622951f, 14.622950092340334);    // 299/512 sqrt(627)
+  const T b_9_30   = detail::constant<T>(11.297329f, 11.297329335553902);    // 231/512 sqrt(627)
+  const T a_10_31  = detail::constant<T>(7.543981f, 7.543980898479983);      // 323/512 sqrt(143)
+  const T b_10_31  = detail::constant<T>(5.9557743f, 5.955774393536829);     // 255/512 sqrt(143)
+  const T a_10_30  = detail::constant<T>(5.7222147f, 5.72221461339813);      // 245/512 sqrt(143)
+  const T b_10_30  = detail::constant<T>(4.6945515f, 4.694551580787854);     // 201/512 sqrt(143)
   const T k_3_2    = detail::constant<T>(2.6457512f, 2.6457513110645907);    // sqrt(7)
-  const T a_4_2    = detail::constant<T>(6.0621777f, 6.06217782649107);      // 7/2 sqrt(3)
-  const T b_4_2    = detail::constant<T>(0.8660254f, 0.8660254037844386);    // 1/2 sqrt(3)
-  const T a_5_2    = detail::constant<T>(4.974937f, 4.9749371855331);        // 3/2 sqrt(11)
-  const T b_5_2    = detail::constant<T>(1.6583124f, 1.6583123951777);       // 1/2 sqrt(11)
-  const T a_6_2    = detail::constant<T>(0.8490674f, 0.8490673990845341);    // 9/143 sqrt(182)
-  const T b_6_2    = detail::constant<T>(1.2264307f, 1.2264306875665492);    // 1/11 sqrt(182)
-  const T a_7_2    = detail::constant<T>(0.7867958f, 0.7867957924694432);    // 1/21 sqrt(273)
-  const T b_7_2    = detail::constant<T>(0.9847319f, 0.9847319278346619);    // 4/33 sqrt(66)
-  const T a_8_2    = detail::constant<T>(5.454356f, 5.454356057317857);      // 1/2 sqrt(119)
-  const T b_8_2    = detail::constant<T>(0.9903379f, 0.9903379376602871);    // 1/26 sqrt(663)
-  const T a_9_2    = detail::constant<T>(0.77411747f, 0.7741174878351287);   // 1/77 sqrt(3553)
-  const T b_9_2    = detail::constant<T>(0.9934853f, 0.993485272670404);     // 2/77 sqrt(1463)
-  const T a_10_2   = detail::constant<T>(5.3938622f, 5.393862252597854);     // 7/8 sqrt(38)
-  const T b_10_2   = detail::constant<T>(0.9953938f, 0.9953938032404118);    // 7/136 sqrt(374)
+  const T a_4_20   = detail::constant<T>(3.0310888f, 3.031088913245535);     // 7/4 sqrt(3)
+  const T b_4_20   = detail::constant<T>(2.1650636f, 2.165063509461097);     // 5/4 sqrt(3)
+  const T a_5_20   = detail::constant<T>(2.4874685f, 2.48746859276655);      // 3/4 sqrt(11)
+  const T b_5_20   = detail::constant<T>(0.8291562f, 0.82915619758885);      // 1/4 sqrt(11)
+  const T b_6_21   = detail::constant<T>(3.4780807f, 3.4780807780207605);    // 33/128 sqrt(182)
+  const T a_6_20   = detail::constant<T>(6.3237834f, 6.323783232765019);     // 15/32 sqrt(182)
+  const T b_6_20   = detail::constant<T>(3.6888735f, 3.6888735524462613);    // 35/128 sqrt(182)
+  const T b_7_21   = detail::constant<T>(2.7365394f, 2.736539322015582);     // 143/128 sqrt(6)
+  const T a_7_20   = detail::constant<T>(2.5260363f, 2.5260362972451524);    // 33/32 sqrt(6)
+  const T b_7_20   = detail::constant<T>(2.0858936f, 2.0858936090888003);    // 109/128 sqrt(6)
+  const T a_8_21   = detail::constant<T>(7.46303f, 7.463029913562095);       // 143/512 sqrt(714)
+  const T a_8_20   = detail::constant<T>(6.3148713f, 6.314871465321773);     // 121/512 sqrt(714)
+  const T b_8_20   = detail::constant<T>(5.479847f, 5.479847139328811);      // 105/512 sqrt(714)
+  const T a_9_21   = detail::constant<T>(5.7772617f, 5.777261968325107);     // 221/3584 sqrt(8778)
+  const T b_9_21   = detail::constant<T>(3.0585504f, 3.0585504538191746);    // 117/3584 sqrt(8778)
+  const T a_9_20   = detail::constant<T>(2.3788726f, 2.378872575192691);     // 13/512 sqrt(8778)
+  const T b_9_20   = detail::constant<T>(2.169741f, 2.1697409202306965);     // 83/3584 sqrt(8778)
+  const T b_10_22  = detail::constant<T>(7.7904387f, 7.790438813579494);     // 4199/8192 sqrt(231)
+  const T a_10_21  = detail::constant<T>(16.400925f, 16.400923818062093);    // 1105/1024 sqrt(231)
+  const T b_10_21  = detail::constant<T>(11.818313f, 11.818312751250627);    // 3185/4096 sqrt(231)
+  const T a_10_20  = detail::constant<T>(5.9815135f, 5.981513392469704);     // 403/1024 sqrt(231)
+  const T b_10_20  = detail::constant<T>(3.6048636f, 3.604863685350073);     // 1943/8192 sqrt(231)
   const T k_2_1    = detail::constant<T>(2.236068f, 2.23606797749979);       // sqrt(5)
-  const T a_3_1    = detail::constant<T>(4.6770716f, 4.677071733467427);     // 5/4 sqrt(14)
-  const T b_3_1    = detail::constant<T>(3.7416575f, 3.7416573867739413);    // sqrt(14)
-  const T a_4_1    = detail::constant<T>(4.2866073f, 4.286607049870562);     // 7/4 sqrt(6)
-  const T b_4_1    = detail::constant<T>(2.4494898f, 2.449489742783178);     // sqrt(6)
-  const T a_5_1    = detail::constant<T>(0.7865665f, 0.7865665062071158);    // 7/66 sqrt(55)
-  const T b_5_1    = detail::constant<T>(1.2360331f, 1.2360330811826106);    // 1/6 sqrt(55)
-  const T a_6_1    = detail::constant<T>(0.9039596f, 0.90395954397465);      // 1/35 sqrt(1001)
-  const T b_6_1    = detail::constant<T>(0.9952267f, 0.9952267030562386);    // 2/105 sqrt(2730)
-  const T a_7_1    = detail::constant<T>(4.506939f, 4.5069390943299865);     // 5/4 sqrt(13)
-  const T b_7_1    = detail::constant<T>(0.9971551f, 0.9971550440218321);    // 5/44 sqrt(77)
-  const T a_8_1    = detail::constant<T>(0.8997354f, 0.8997354108424374);    // 1/21 sqrt(357)
-  const T b_8_1    = detail::constant<T>(0.9981668f, 0.9981668178901743);    // 4/273 sqrt(4641)
-  const T a_9_1    = detail::constant<T>(4.49305f, 4.493050188902857);       // 1/4 sqrt(323)
-  const T b_9_1    = detail::constant<T>(0.9987492f, 0.998749217771909);     // 1/20 sqrt(399)
-  const T a_10_1   = detail::constant<T>(0.8978088f, 0.8978087803427889);    // 1/165 sqrt(21945)
-  const T b_10_1   = detail::constant<T>(0.9991083f, 0.9991083368712845);    // 4/561 sqrt(19635)
+  const T a_3_10   = detail::constant<T>(2.3385358f, 2.3385358667337135);    // 5/8 sqrt(14)
+  const T b_3_10   = detail::constant<T>(1.4031215f, 1.403121520040228);     // 3/8 sqrt(14)
+  const T a_4_10   = detail::constant<T>(2.1433036f, 2.143303524935281);     // 7/8 sqrt(6)
+  const T b_4_10   = detail::constant<T>(0.30618623f, 0.30618621784789724);  // 1/8 sqrt(6)
+  const T b_5_11   = detail::constant<T>(2.4334402f, 2.4334401285782645);    // 21/64 sqrt(55)
+  const T a_5_10   = detail::constant<T>(3.244587f, 3.2445868381043526);     // 7/16 sqrt(55)
+  const T b_5_10   = detail::constant<T>(1.7381716f, 1.738171520413046);     // 15/64 sqrt(55)
+  const T b_6_11   = detail::constant<T>(2.1997313f, 2.1997314289192214);    // 33/320 sqrt(455)
+  const T a_6_10   = detail::constant<T>(0.7999023f, 0.7999023377888078);    // 3/80 sqrt(455)
+  const T b_6_10   = detail::constant<T>(1.266512f, 1.2665120348322791);     // 19/320 sqrt(455)
+  const T a_7_11   = detail::constant<T>(4.957028f, 4.957027787011202);      // 429/512 sqrt(35)
+  const T b_7_11   = detail::constant<T>(3.4317884f, 3.431788467930832);     // 297/512 sqrt(35)
+  const T a_7_10   = detail::constant<T>(1.4212457f, 1.4212457291430718);    // 123/512 sqrt(35)
+  const T b_7_10   = detail::constant<T>(2.0220976f, 2.0220975821141267);    // 175/512 sqrt(35)
+  const T a_8_11   = detail::constant<T>(4.4600134f, 4.460013432503902);     // 143/512 sqrt(255)
+  const T b_8_11   = detail::constant<T>(0.8920027f, 0.8920026865007803);    // 143/2560 sqrt(255)
+  const T a_8_10   = detail::constant<T>(0.48030913f, 0.48030913888503557);  // 77/2560 sqrt(255)
+  const T b_8_10   = detail::constant<T>(0.5551625f, 0.5551625111788073);    // 89/2560 sqrt(255)
+  const T b_9_12   = detail::constant<T>(5.009766f, 5.009766048855234);      // 2431/8192 sqrt(285)
+  const T a_9_11   = detail::constant<T>(7.072611f, 7.0726108925015065);     // 429/1024 sqrt(285)
+  const T b_9_11   = detail::constant<T>(4.1256895f, 4.125689687292546);     // 1001/4096 sqrt(285)
+  const T a_9_10   = detail::constant<T>(0.90674496f, 0.9067449862181418);   // 55/1024 sqrt(285)
+  const T b_9_10   = detail::constant<T>(0.2328686f, 0.23286859873329552);   // 113/8192 sqrt(285)
+  const T b_10_12  = detail::constant<T>(4.497812f, 4.49781194612543);       // 4199/8192 sqrt(77)
+  const T a_10_11  = detail::constant<T>(1.8938155f, 1.8938155562633388);    // 221/1024 sqrt(77)
+  const T b_10_11  = detail::constant<T>(2.8128731f, 2.8128731056264296);    // 1313/4096 sqrt(77)
+  const T a_10_10  = detail::constant<T>(0.33420274f, 0.33420274522294213);  // 39/1024 sqrt(77)
+  const T b_10_10  = detail::constant<T>(0.763739f, 0.7637389658460184);     // 713/8192 sqrt(77)
   const T k_0_0    = detail::constant<T>(0.2820948f, 0.28209479177387814);   // 1/2 sqrt(1/pi)
-  const T a_2_0    = detail::constant<T>(0.9461747f, 0.94617469575756);      // 3/4 sqrt(5/pi)
-  const T b_2_0    = detail::constant<T>(0.63078314f, 0.63078313050504);     // 1/2 sqrt(5/pi)
-  const T a_3_0    = detail::constant<T>(3.818813f, 3.8188130791298667);     // 5/6 sqrt(21)
-  const T b_3_0    = detail::constant<T>(1.5275252f, 1.5275252316519468);    // 1/3 sqrt(21)
-  const T a_4_0    = detail::constant<T>(0.20149627f, 0.2014962798384844);   // 5/14 sqrt(1/pi)
-  const T b_4_0    = detail::constant<T>(0.3626933f, 0.3626933037092719);    // 9/14 sqrt(1/pi)
-  const T b_5_0    = detail::constant<T>(1.002853f, 1.002853072844814);      // 4/35 sqrt(77)
-  const T b_6_0    = detail::constant<T>(1.001542f, 1.0015420209622192);     // 5/18 sqrt(13)
-  const T b_7_0    = detail::constant<T>(1.0009272f, 1.000927213921958);     // 6/77 sqrt(165)
-  const T b_8_0    = detail::constant<T>(1.0006008f, 1.0006007810695148);    // 7/104 sqrt(221)
-  const T b_9_0    = detail::constant<T>(1.0004114f, 1.0004114379931337);    // 8/135 sqrt(285)
-  const T b_10_0   = detail::constant<T>(1.0002941f, 1.0002940744071804);    // 9/170 sqrt(357)
-  const T a_5_0    = detail::constant<T>(1.9899749f, 1.98997487421324);      // 3/5 sqrt(11)
-  const T a_6_0    = detail::constant<T>(1.9930434f, 1.9930434571835662);    // 1/6 sqrt(143)
-  const T a_7_0    = detail::constant<T>(1.9948914f, 1.9948914348241344);    // 1/7 sqrt(195)
-  const T a_8_0    = detail::constant<T>(1.9960899f, 1.996089927833914);     // 1/8 sqrt(255)
-  const T a_9_0    = detail::constant<T>(1.9969112f, 1.9969111950679366);    // 1/9 sqrt(323)
-  const T a_10_0   = detail::constant<T>(1.9974984f, 1.997498435543818);     // 1/10 sqrt(399)
+  const T a_2_00   = detail::constant<T>(0.47308734f, 0.47308734787878);     // 3/8 sqrt(5/pi)
+  const T b_2_00   = detail::constant<T>(0.15769579f, 0.15769578262626);     // 1/8 sqrt(5/pi)
+  const T a_3_00   = detail::constant<T>(1.9094065f, 1.9094065395649333);    // 5/12 sqrt(21)
+  const T b_3_00   = detail::constant<T>(0.3818813f, 0.3818813079129867);    // 1/12 sqrt(21)
+  const T b_4_01   = detail::constant<T>(0.46281177f, 0.46281176775401883);  // 105/128 sqrt(1/pi)
+  const T a_4_00   = detail::constant<T>(0.26446387f, 0.26446386728801075);  // 15/32 sqrt(1/pi)
+  const T b_4_00   = detail::constant<T>(0.11900874f, 0.11900874027960484);  // 27/128 sqrt(1/pi)
+  const T b_5_01   = detail::constant<T>(1.8849347f, 1.8849346183952906);    // 21/64 sqrt(33)
+  const T a_5_00   = detail::constant<T>(0.8377487f, 0.8377487192867958);    // 7/48 sqrt(33)
+  const T b_5_00   = detail::constant<T>(0.86766833f, 0.8676683164041814);   // 29/192 sqrt(33)
+  const T a_6_01   = detail::constant<T>(0.91778034f, 0.9177803577388854);   // 231/512 sqrt(13/pi)
+  const T b_6_01   = detail::constant<T>(0.25030375f, 0.2503037339287869);   // 63/512 sqrt(13/pi)
+  const T b_6_00   = detail::constant<T>(0.09932688f, 0.09932687854316942);  // 25/512 sqrt(13/pi)
+  const T a_7_01   = detail::constant<T>(3.7471607f, 3.7471607904195694);    // 429/256 sqrt(5)
+  const T b_7_01   = detail::constant<T>(0.8647294f, 0.8647294131737467);    // 99/256 sqrt(5)
+  const T a_7_00   = detail::constant<T>(0.18342745f, 0.18342745127927962);  // 21/256 sqrt(5)
+  const T b_7_00   = detail::constant<T>(0.46293595f, 0.46293594846675334);  // 53/256 sqrt(5)
+  const T b_8_02   = detail::constant<T>(0.9136464f, 0.9136463767690742);    // 6435/16384 sqrt(17/pi)
+  const T a_8_01   = detail::constant<T>(0.48727807f, 0.48727806761017295);  // 429/2048 sqrt(17/pi)
+  const T b_8_01   = detail::constant<T>(0.19678538f, 0.19678537345795444);  // 693/8192 sqrt(17/pi)
+  const T a_8_00   = detail::constant<T>(0.06474324f, 0.0647432397524006);   // 57/2048 sqrt(17/pi)
+  const T b_8_00   = detail::constant<T>(0.36985996f, 0.3698599551644815);   // 2605/16384 sqrt(17/pi)
+  const T b_9_02   = detail::constant<T>(3.734059f, 3.734059145536945);      // 12155/24576 sqrt(57)
+  const T a_9_01   = detail::constant<T>(1.7572043f, 1.757204303782092);     // 715/3072 sqrt(57)
+  const T b_9_01   = detail::constant<T>(1.6693441f, 1.669344088592987);     // 2717/12288 sqrt(57)
+  const T a_9_00   = detail::constant<T>(0.08110174f, 0.081101737097635);    // 11/1024 sqrt(57)
+  const T b_9_00   = detail::constant<T>(1.0484858f, 1.0484857148266222);    // 3413/24576 sqrt(57)
+  const T a_10_02  = detail::constant<T>(1.8221886f, 1.8221886626035773);    // 46189/65536 sqrt(21/pi)
+  const T b_10_02  = detail::constant<T>(0.47952333f, 0.47952333226409927);  // 12155/65536 sqrt(21/pi)
+  const T a_10_01  = detail::constant<T>(0.5302964f, 0.5302963909744156);    // 6721/32768 sqrt(21/pi)
+  const T b_10_01  = detail::constant<T>(0.16924353f, 0.16924352903438797);  // 2145/32768 sqrt(21/pi)
+  const T a_10_00  = detail::constant<T>(0.48646665f, 0.48646665653217674);  // 12331/65536 sqrt(21/pi)
+  const T b_10_00  = detail::constant<T>(0.16147174f, 0.16147173993886946);  // 4093/65536 sqrt(21/pi)
 
-  out[0] = k_0_0;                                               // l=0 m=0
+  out[0] = k_0_0;                                                                                          // l=0 m=0
   const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;
+  const T x2 = nx * nx;
+  const T y2 = ny * ny;
+  const T xy2 = x2 + y2;
+  const T t = x2 - y2;
   const T z2 = nz * nz;
-  const T xy2 = one - z2;
   const T y_1_1c = k_1_1 * nx;
-  out[3] = y_1_1c;                                              // l=1 m=1
+  out[3] = y_1_1c;                                                                                         // l=1 m=1
   const T y_1_1s = k_1_1 * ny;
-  out[1] = y_1_1s;                                              // l=1 m=-1
-  const T t = k_2_2s * nx;
-  const T y_2_2s = t * ny;
-  out[4] = y_2_2s;                                              // l=2 m=-2
-  const T y_2_2c = t * nx - k_2_2c * xy2;
-  out[8] = y_2_2c;                                              // l=2 m=2
-  const T t_2 = b_3_3 * xy2;
-  const T t_3 = a_3_3 * y_2_2c;
-  const T y_3_3c = y_1_1c * (t_3 - t_2);
-  out[15] = y_3_3c;                                             // l=3 m=3
-  const T y_3_3s = y_1_1s * (t_3 + t_2);
-  out[9] = y_3_3s;                                              // l=3 m=-3
+  out[1] = y_1_1s;                                                                                         // l=1 m=-1
+  const T y_2_2s = k_2_2s * nx * ny;
+  out[4] = y_2_2s;                                                                                         // l=2 m=-2
+  const T y_2_2c = k_2_2c * t;
+  out[8] = y_2_2c;                                                                                         // l=2 m=2
+  const T t_2 = a_3_3 * t;
+  const T t_3 = b_3_3 * xy2;
+  const T u = z2 - xy2;
+  const T t_4 = z2 + z2 - one;
+  const T y_3_3c = y_1_1c * (t_2 - t_3);
+  out[15] = y_3_3c;                                                                                        // l=3 m=3
+  const T y_3_3s = y_1_1s * (t_2 + t_3);
+  out[9] = y_3_3s;                                                                                         // l=3 m=-3
   const T y_4_4s = k_4_4s * y_2_2c * y_2_2s;
-  out[16] = y_4_4s;                                             // l=4 m=-4
+  out[16] = y_4_4s;                                                                                        // l=4 m=-4
   const T y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
-  out[24] = y_4_4c;                                             // l=4 m=4
-  const T t_4 = k_5_5 * nx;
-  const T t_5 = k_5_5 * ny;
-  const T y_5_5c = t_4 * y_4_4c - t_5 * y_4_4s;
-  out[35] = y_5_5c;                                             // l=5 m=5
-  const T y_5_5s = t_4 * y_4_4s + t_5 * y_4_4c;
-  out[25] = y_5_5s;                                             // l=5 m=-5
+  out[24] = y_4_4c;                                                                                        // l=4 m=4
+  const T t_5 = k_5_5 * nx;
+  const T t_6 = k_5_5 * ny;
+  const T y_5_5c = t_5 * y_4_4c - t_6 * y_4_4s;
+  out[35] = y_5_5c;                                                                                        // l=5 m=5
+  const T y_5_5s = t_5 * y_4_4s + t_6 * y_4_4c;
+  out[25] = y_5_5s;                                                                                        // l=5 m=-5
   const T y_6_6s = k_6_6s * y_3_3c * y_3_3s;
-  out[36] = y_6_6s;                                             // l=6 m=-6
+  out[36] = y_6_6s;                                                                                        // l=6 m=-6
   const T y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
-  out[48] = y_6_6c;                                             // l=6 m=6
-  const T t_6 = k_7_7 * nx;
-  const T t_7 = k_9_9 * nx;
-  const T t_8 = k_7_7 * ny;
-  const T t_9 = k_9_9 * ny;
-  const T y_7_7c = t_6 * y_6_6c - t_8 * y_6_6s;
-  out[63] = y_7_7c;                                             // l=7 m=7
-  const T y_7_7s = t_6 * y_6_6s + t_8 * y_6_6c;
-  out[49] = y_7_7s;                                             // l=7 m=-7
+  out[48] = y_6_6c;                                                                                        // l=6 m=6
+  const T t_7 = k_7_7 * nx;
+  const T t_8 = k_9_9 * nx;
+  const T t_9 = k_7_7 * ny;
+  const T t_10 = k_9_9 * ny;
+  const T y_7_7c = t_7 * y_6_6c - t_9 * y_6_6s;
+  out[63] = y_7_7c;                                                                                        // l=7 m=7
+  const T y_7_7s = t_7 * y_6_6s + t_9 * y_6_6c;
+  out[49] = y_7_7s;                                                                                        // l=7 m=-7
   const T y_8_8s = k_8_8s * y_4_4c * y_4_4s;
-  out[64] = y_8_8s;                                             // l=8 m=-8
+  out[64] = y_8_8s;                                                                                        // l=8 m=-8
   const T y_8_8c = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);
-  out[80] = y_8_8c;                                             // l=8 m=8
-  const T y_9_9c = t_7 * y_8_8c - t_9 * y_8_8s;
-  out[99] = y_9_9c;                                             // l=9 m=9
-  const T y_9_9s = t_7 * y_8_8s + t_9 * y_8_8c;
-  out[81] = y_9_9s;                                             // l=9 m=-9
-  out[100] = k_10_10s * y_5_5c * y_5_5s;                        // l=10 m=-10
-  out[120] = k_10_10c * (y_5_5c - y_5_5s) * (y_5_5c + y_5_5s);  // l=10 m=10
+  out[80] = y_8_8c;                                                                                        // l=8 m=8
+  const T y_9_9c = t_8 * y_8_8c - t_10 * y_8_8s;
+  out[99] = y_9_9c;                                                                                        // l=9 m=9
+  const T y_9_9s = t_8 * y_8_8s + t_10 * y_8_8c;
+  out[81] = y_9_9s;                                                                                        // l=9 m=-9
+  out[100] = k_10_10s * y_5_5c * y_5_5s;                                                                   // l=10 m=-10
+  out[120] = k_10_10c * (y_5_5c - y_5_5s) * (y_5_5c + y_5_5s);                                             // l=10 m=10
+  const T t_11 = (u + u) * u - one;
+  const T t_12 = (t_4 + t_4) * t_4 - one;
   const T t_10_9 = k_10_9 * nz;
-  out[101] = t_10_9 * y_9_9s;                                   // l=10 m=-9
-  out[119] = t_10_9 * y_9_9c;                                   // l=10 m=9
+  out[101] = t_10_9 * y_9_9s;                                                                              // l=10 m=-9
+  out[119] = t_10_9 * y_9_9c;                                                                              // l=10 m=9
   const T t_9_8 = k_9_8 * nz;
-  out[82] = t_9_8 * y_8_8s;                                     // l=9 m=-8
-  out[98] = t_9_8 * y_8_8c;                                     // l=9 m=8
-  const T p_10_8 = a_10_8 * z2 - b_10_8;
-  out[102] = p_10_8 * y_8_8s;                                   // l=10 m=-8
-  out[118] = p_10_8 * y_8_8c;                                   // l=10 m=8
+  out[82] = t_9_8 * y_8_8s;                                                                                // l=9 m=-8
+  out[98] = t_9_8 * y_8_8c;                                                                                // l=9 m=8
+  const T p_10_8 = a_10_80 * t_4 + b_10_80;
+  out[102] = p_10_8 * y_8_8s;                                                                              // l=10 m=-8
+  out[118] = p_10_8 * y_8_8c;                                                                              // l=10 m=8
   const T t_8_7 = k_8_7 * nz;
-  const T p_9_7 = a_9_7 * z2 - b_9_7;
-  out[83] = p_9_7 * y_7_7s;                                     // l=9 m=-7
-  out[97] = p_9_7 * y_7_7c;                                     // l=9 m=7
+  const T p_9_7 = a_9_70 * t_4 + b_9_70;
+  out[83] = p_9_7 * y_7_7s;                                                                                // l=9 m=-7
+  out[97] = p_9_7 * y_7_7c;                                                                                // l=9 m=7
   const T y_8_7s = t_8_7 * y_7_7s;
-  out[65] = y_8_7s;                                             // l=8 m=-7
+  out[65] = y_8_7s;                                                                                        // l=8 m=-7
   const T y_8_7c = t_8_7 * y_7_7c;
-  out[79] = y_8_7c;                                             // l=8 m=7
-  const T p_10_7 = a_10_7 * z2 - b_10_7;
-  out[103] = p_10_7 * y_8_7s;                                   // l=10 m=-7
-  out[117] = p_10_7 * y_8_7c;                                   // l=10 m=7
+  out[79] = y_8_7c;                                                                                        // l=8 m=7
+  const T p_10_7 = a_10_70 * t_4 + b_10_70;
+  out[103] = p_10_7 * y_8_7s;                                                                              // l=10 m=-7
+  out[117] = p_10_7 * y_8_7c;                                                                              // l=10 m=7
   const T t_7_6 = k_7_6 * nz;
-  const T p_8_6 = a_8_6 * z2 - b_8_6;
-  out[66] = p_8_6 * y_6_6s;                                     // l=8 m=-6
-  out[78] = p_8_6 * y_6_6c;                                     // l=8 m=6
-  const T p_9_6 = a_9_6 * z2 - b_9_6;
-  const T p_10_6 = a_10_6 * p_10_7 * p_10_7 - b_10_6;
-  out[104] = p_10_6 * y_6_6s;                                   // l=10 m=-6
+  const T p_8_6 = a_8_60 * t_4 + b_8_60;
+  out[66] = p_8_6 * y_6_6s;                                                                                // l=8 m=-6
+  out[78] = p_8_6 * y_6_6c;                                                                                // l=8 m=6
+  const T p_9_6 = a_9_60 * t_4 + b_9_60;
+  const T p_10_6 = b_10_61 * t_12 + (a_10_60 * t_4 + b_10_60);
+  out[104] = p_10_6 * y_6_6s;                                                                              // l=10 m=-6
+  out[116] = p_10_6 * y_6_6c;                                                                              // l=10 m=6
   const T y_7_6s = t_7_6 * y_6_6s;
-  out[50] = y_7_6s;                                             // l=7 m=-6
-  out[84] = p_9_6 * y_7_6s;                                     // l=9 m=-6
+  out[50] = y_7_6s;                                                                                        // l=7 m=-6
   const T y_7_6c = t_7_6 * y_6_6c;
-  out[62] = y_7_6c;                                             // l=7 m=6
-  out[96] = p_9_6 * y_7_6c;                                     // l=9 m=6
-  out[116] = p_10_6 * y_6_6c;                                   // l=10 m=6
+  out[62] = y_7_6c;                                                                                        // l=7 m=6
+  out[84] = p_9_6 * y_7_6s;                                                                                // l=9 m=-6
+  out[96] = p_9_6 * y_7_6c;                                                                                // l=9 m=6
   const T t_6_5 = k_6_5 * nz;
-  const T p_7_5 = a_7_5 * z2 - b_7_5;
-  out[51] = p_7_5 * y_5_5s;                                     // l=7 m=-5
-  out[61] = p_7_5 * y_5_5c;                                     // l=7 m=5
-  const T p_8_5 = a_8_5 * z2 - b_8_5;
-  const T p_9_5 = a_9_5 * p_9_6 * p_9_6 - b_9_5;
-  const T p_10_5 = a_10_5 * p_10_6 - b_10_5 * p_9_6;
-  out[85] = p_9_5 * y_5_5s;                                     // l=9 m=-5
+  const T p_7_5 = a_7_50 * t_4 + b_7_50;
+  out[51] = p_7_5 * y_5_5s;                                                                                // l=7 m=-5
+  out[61] = p_7_5 * y_5_5c;                                                                                // l=7 m=5
+  const T p_8_5 = a_8_50 * t_4 + b_8_50;
+  const T p_9_5 = b_9_51 * t_12 + (a_9_50 * t_4 + b_9_50);
+  out[85] = p_9_5 * y_5_5s;                                                                                // l=9 m=-5
+  out[95] = p_9_5 * y_5_5c;                                                                                // l=9 m=5
   const T y_6_5s = t_6_5 * y_5_5s;
-  out[37] = y_6_5s;                                             // l=6 m=-5
+  out[37] = y_6_5s;                                                                                        // l=6 m=-5
   const T y_6_5c = t_6_5 * y_5_5c;
-  out[47] = y_6_5c;                                             // l=6 m=5
-  out[95] = p_9_5 * y_5_5c;                                     // l=9 m=5
-  out[67] = p_8_5 * y_6_5s;                                     // l=8 m=-5
-  out[105] = p_10_5 * y_6_5s;                                   // l=10 m=-5
-  out[77] = p_8_5 * y_6_5c;                                     // l=8 m=5
-  out[115] = p_10_5 * y_6_5c;                                   // l=10 m=5
+  out[47] = y_6_5c;                                                                                        // l=6 m=5
+  out[67] = p_8_5 * y_6_5s;                                                                                // l=8 m=-5
+  out[77] = p_8_5 * y_6_5c;                                                                                // l=8 m=5
+  const T p_10_5 = b_10_51 * t_12 + (a_10_50 * t_4 + b_10_50);
+  out[105] = p_10_5 * y_6_5s;                                                                              // l=10 m=-5
+  out[115] = p_10_5 * y_6_5c;                                                                              // l=10 m=5
   const T t_5_4 = k_5_4 * nz;
-  const T p_6_4 = a_6_4 * z2 - b_6_4;
-  out[38] = p_6_4 * y_4_4s;                                     // l=6 m=-4
-  out[46] = p_6_4 * y_4_4c;                                     // l=6 m=4
-  const T p_7_4 = a_7_4 * z2 - b_7_4;
-  const T p_8_4 = a_8_4 * p_8_5 * p_8_5 - b_8_4;
-  out[68] = p_8_4 * y_4_4s;                                     // l=8 m=-4
-  out[76] = p_8_4 * y_4_4c;                                     // l=8 m=4
-  const T p_9_4 = a_9_4 * p_9_5 - b_9_4 * p_8_5;
-  const T p_10_4 = a_10_4 * z2 * p_10_5 - b_10_4 * p_9_5;
-  out[106] = p_10_4 * y_4_4s;                                   // l=10 m=-4
+  const T p_6_4 = a_6_40 * t_4 + b_6_40;
+  out[38] = p_6_4 * y_4_4s;                                                                                // l=6 m=-4
+  out[46] = p_6_4 * y_4_4c;                                                                                // l=6 m=4
+  const T p_7_4 = a_7_40 * t_4 + b_7_40;
+  const T p_8_4 = b_8_41 * t_12 + (a_8_40 * t_4 + b_8_40);
+  out[68] = p_8_4 * y_4_4s;                                                                                // l=8 m=-4
+  out[76] = p_8_4 * y_4_4c;                                                                                // l=8 m=4
+  const T p_9_4 = b_9_41 * t_12 + (a_9_40 * t_4 + b_9_40);
+  const T p_10_4 = (a_10_41 * t_4 + b_10_41) * t_12 + (a_10_40 * t_4 + b_10_40);
+  out[106] = p_10_4 * y_4_4s;                                                                              // l=10 m=-4
+  out[114] = p_10_4 * y_4_4c;                                                                              // l=10 m=4
   const T y_5_4s = t_5_4 * y_4_4s;
-  out[26] = y_5_4s;                                             // l=5 m=-4
+  out[26] = y_5_4s;                                                                                        // l=5 m=-4
   const T y_5_4c = t_5_4 * y_4_4c;
-  out[34] = y_5_4c;                                             // l=5 m=4
-  out[114] = p_10_4 * y_4_4c;                                   // l=10 m=4
-  out[52] = p_7_4 * y_5_4s;                                     // l=7 m=-4
-  out[86] = p_9_4 * y_5_4s;                                     // l=9 m=-4
-  out[60] = p_7_4 * y_5_4c;                                     // l=7 m=4
-  out[94] = p_9_4 * y_5_4c;                                     // l=9 m=4
+  out[34] = y_5_4c;                                                                                        // l=5 m=4
+  out[52] = p_7_4 * y_5_4s;                                                                                // l=7 m=-4
+  out[60] = p_7_4 * y_5_4c;                                                                                // l=7 m=4
+  out[86] = p_9_4 * y_5_4s;                                                                                // l=9 m=-4
+  out[94] = p_9_4 * y_5_4c;                                                                                // l=9 m=4
   const T t_4_3 = k_4_3 * nz;
-  const T p_5_3 = a_5_3 * z2 - b_5_3;
-  out[27] = p_5_3 * y_3_3s;                                     // l=5 m=-3
-  out[33] = p_5_3 * y_3_3c;                                     // l=5 m=3
-  const T p_6_3 = a_6_3 * z2 - b_6_3;
-  const T p_7_3 = a_7_3 * p_7_4 * p_7_4 - b_7_3;
-  out[53] = p_7_3 * y_3_3s;                                     // l=7 m=-3
-  out[59] = p_7_3 * y_3_3c;                                     // l=7 m=3
-  const T p_8_3 = a_8_3 * p_8_4 - b_8_3 * p_7_4;
-  const T p_9_3 = a_9_3 * p_10_4 - b_9_3 * p_8_4;
-  const T p_10_3 = a_10_3 * p_10_4 - b_10_3 * p_9_4;
-  out[87] = p_9_3 * y_3_3s;                                     // l=9 m=-3
-  out[93] = p_9_3 * y_3_3c;                                     // l=9 m=3
+  const T p_5_3 = a_5_30 * t_4 + b_5_30;
+  out[27] = p_5_3 * y_3_3s;                                                                                // l=5 m=-3
+  out[33] = p_5_3 * y_3_3c;                                                                                // l=5 m=3
+  const T p_6_3 = a_6_30 * t_4 + b_6_30;
+  const T p_7_3 = b_7_31 * t_12 + (a_7_30 * t_4 + b_7_30);
+  out[53] = p_7_3 * y_3_3s;                                                                                // l=7 m=-3
+  out[59] = p_7_3 * y_3_3c;                                                                                // l=7 m=3
+  const T p_8_3 = b_8_31 * t_12 + (a_8_30 * t_4 + b_8_30);
+  const T p_9_3 = (a_9_31 * t_4 + b_9_31) * t_12 + (a_9_30 * t_4 + b_9_30);
+  out[87] = p_9_3 * y_3_3s;                                                                                // l=9 m=-3
+  out[93] = p_9_3 * y_3_3c;                                                                                // l=9 m=3
   const T y_4_3s = t_4_3 * y_3_3s;
-  out[17] = y_4_3s;                                             // l=4 m=-3
+  out[17] = y_4_3s;                                                                                        // l=4 m=-3
   const T y_4_3c = t_4_3 * y_3_3c;
-  out[23] = y_4_3c;                                             // l=4 m=3
-  out[39] = p_6_3 * y_4_3s;                                     // l=6 m=-3
-  out[45] = p_6_3 * y_4_3c;                                     // l=6 m=3
-  out[69] = p_8_3 * y_4_3s;                                     // l=8 m=-3
-  out[75] = p_8_3 * y_4_3c;                                     // l=8 m=3
-  out[107] = p_10_3 * y_4_3s;                                   // l=10 m=-3
-  out[113] = p_10_3 * y_4_3c;                                   // l=10 m=3
+  out[23] = y_4_3c;                                                                                        // l=4 m=3
+  out[39] = p_6_3 * y_4_3s;                                                                                // l=6 m=-3
+  out[45] = p_6_3 * y_4_3c;                                                                                // l=6 m=3
+  out[69] = p_8_3 * y_4_3s;                                                                                // l=8 m=-3
+  out[75] = p_8_3 * y_4_3c;                                                                                // l=8 m=3
+  const T p_10_3 = (a_10_31 * t_4 + b_10_31) * t_12 + (a_10_30 * t_4 + b_10_30);
+  out[107] = p_10_3 * y_4_3s;                                                                              // l=10 m=-3
+  out[113] = p_10_3 * y_4_3c;                                                                              // l=10 m=3
   const T t_3_2 = k_3_2 * nz;
-  const T p_4_2 = a_4_2 * z2 - b_4_2;
-  out[18] = p_4_2 * y_2_2s;                                     // l=4 m=-2
-  out[22] = p_4_2 * y_2_2c;                                     // l=4 m=2
-  const T p_5_2 = a_5_2 * z2 - b_5_2;
-  const T p_6_2 = a_6_2 * p_6_3 * p_6_3 - b_6_2;
-  out[40] = p_6_2 * y_2_2s;                                     // l=6 m=-2
-  out[44] = p_6_2 * y_2_2c;                                     // l=6 m=2
-  const T p_7_2 = a_7_2 * p_6_2 - b_7_2 * p_5_2;
-  const T p_8_2 = a_8_2 * z2 * p_7_2 - b_8_2 * p_6_2;
-  out[70] = p_8_2 * y_2_2s;                                     // l=8 m=-2
-  out[74] = p_8_2 * y_2_2c;                                     // l=8 m=2
-  const T p_9_2 = a_9_2 * p_8_2 - b_9_2 * p_7_2;
-  const T p_10_2 = a_10_2 * z2 * p_9_2 - b_10_2 * p_8_2;
-  out[108] = p_10_2 * y_2_2s;                                   // l=10 m=-2
-  out[112] = p_10_2 * y_2_2c;                                   // l=10 m=2
+  const T p_4_2 = a_4_20 * t_4 + b_4_20;
+  out[18] = p_4_2 * y_2_2s;                                                                                // l=4 m=-2
+  out[22] = p_4_2 * y_2_2c;                                                                                // l=4 m=2
+  const T p_5_2 = a_5_20 * t_4 + b_5_20;
+  const T p_6_2 = b_6_21 * t_12 + (a_6_20 * t_4 + b_6_20);
+  out[40] = p_6_2 * y_2_2s;                                                                                // l=6 m=-2
+  out[44] = p_6_2 * y_2_2c;                                                                                // l=6 m=2
+  const T p_7_2 = b_7_21 * t_12 + (a_7_20 * t_4 + b_7_20);
+  const T p_8_2 = (a_8_21 * t_4 + a_8_21) * t_12 + (a_8_20 * t_4 + b_8_20);
+  out[70] = p_8_2 * y_2_2s;                                                                                // l=8 m=-2
+  out[74] = p_8_2 * y_2_2c;                                                                                // l=8 m=2
+  const T p_9_2 = (a_9_21 * t_4 + b_9_21) * t_12 + (a_9_20 * t_4 + b_9_20);
+  const T p_10_2 = (b_10_22 * t_12 + (a_10_21 * t_4 + b_10_21)) * t_12 + (a_10_20 * t_4 + b_10_20);
+  out[108] = p_10_2 * y_2_2s;                                                                              // l=10 m=-2
+  out[112] = p_10_2 * y_2_2c;                                                                              // l=10 m=2
   const T y_3_2s = t_3_2 * y_2_2s;
-  out[10] = y_3_2s;                                             // l=3 m=-2
+  out[10] = y_3_2s;                                                                                        // l=3 m=-2
   const T y_3_2c = t_3_2 * y_2_2c;
-  out[14] = y_3_2c;                                             // l=3 m=2
-  out[28] = p_5_2 * y_3_2s;                                     // l=5 m=-2
-  out[32] = p_5_2 * y_3_2c;                                     // l=5 m=2
-  out[54] = p_7_2 * y_3_2s;                                     // l=7 m=-2
-  out[58] = p_7_2 * y_3_2c;                                     // l=7 m=2
-  out[88] = p_9_2 * y_3_2s;                                     // l=9 m=-2
-  out[92] = p_9_2 * y_3_2c;                                     // l=9 m=2
+  out[14] = y_3_2c;                                                                                        // l=3 m=2
+  out[28] = p_5_2 * y_3_2s;                                                                                // l=5 m=-2
+  out[32] = p_5_2 * y_3_2c;                                                                                // l=5 m=2
+  out[54] = p_7_2 * y_3_2s;                                                                                // l=7 m=-2
+  out[58] = p_7_2 * y_3_2c;                                                                                // l=7 m=2
+  out[88] = p_9_2 * y_3_2s;                                                                                // l=9 m=-2
+  out[92] = p_9_2 * y_3_2c;                                                                                // l=9 m=2
   const T t_2_1 = k_2_1 * nz;
-  const T p_3_1 = b_3_1 - a_3_1 * xy2;
-  out[11] = p_3_1 * y_1_1s;                                     // l=3 m=-1
-  out[13] = p_3_1 * y_1_1c;                                     // l=3 m=1
-  const T p_4_1 = b_4_1 - a_4_1 * xy2;
-  const T p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
-  out[29] = p_5_1 * y_1_1s;                                     // l=5 m=-1
-  out[31] = p_5_1 * y_1_1c;                                     // l=5 m=1
-  const T p_6_1 = a_6_1 * p_5_1 - b_6_1 * p_4_1;
-  const T p_7_1 = a_7_1 * z2 * p_6_1 - b_7_1 * p_5_1;
-  out[55] = p_7_1 * y_1_1s;                                     // l=7 m=-1
-  out[57] = p_7_1 * y_1_1c;                                     // l=7 m=1
-  const T p_8_1 = a_8_1 * p_7_1 - b_8_1 * p_6_1;
-  const T p_9_1 = a_9_1 * z2 * p_8_1 - b_9_1 * p_7_1;
-  out[89] = p_9_1 * y_1_1s;                                     // l=9 m=-1
-  const T y_2_1s = t_2_1 * y_1_1s;
-  out[5] = y_2_1s;                                              // l=2 m=-1
-  const T y_2_1c = t_2_1 * y_1_1c;
-  out[7] = y_2_1c;                                              // l=2 m=1
-  out[91] = p_9_1 * y_1_1c;                                     // l=9 m=1
-  out[19] = p_4_1 * y_2_1s;                                     // l=4 m=-1
-  out[21] = p_4_1 * y_2_1c;                                     // l=4 m=1
-  out[41] = p_6_1 * y_2_1s;                                     // l=6 m=-1
-  out[43] = p_6_1 * y_2_1c;                                     // l=6 m=1
-  out[71] = p_8_1 * y_2_1s;                                     // l=8 m=-1
-  out[73] = p_8_1 * y_2_1c;                                     // l=8 m=1
-  const T p_10_1 = a_10_1 * p_9_1 - b_10_1 * p_8_1;
-  out[109] = p_10_1 * y_2_1s;                                   // l=10 m=-1
-  out[111] = p_10_1 * y_2_1c;                                   // l=10 m=1
   const T t_1_0 = k_1_1 * nz;
-  out[2] = t_1_0;                                               // l=1 m=0
-  out[6] = b_2_0 - a_2_0 * xy2;                                 // l=2 m=0
-  const T y_3_0 = (b_3_0 - a_3_0 * xy2) * t_1_0;
-  out[12] = y_3_0;                                              // l=3 m=0
-  const T p_4_0 = a_4_0 * p_4_1 * p_4_1 - b_4_0;
-  out[20] = p_4_0;                                              // l=4 m=0
-  const T p_5_0 = a_5_0 * nz * p_4_0 - b_5_0 * y_3_0;
-  out[30] = p_5_0;                                              // l=5 m=0
-  const T p_6_0 = a_6_0 * nz * p_5_0 - b_6_0 * p_4_0;
-  out[42] = p_6_0;                                              // l=6 m=0
-  const T p_7_0 = a_7_0 * nz * p_6_0 - b_7_0 * p_5_0;
-  out[56] = p_7_0;                                              // l=7 m=0
-  const T p_8_0 = a_8_0 * nz * p_7_0 - b_8_0 * p_6_0;
-  out[72] = p_8_0;                                              // l=8 m=0
-  const T p_9_0 = a_9_0 * nz * p_8_0 - b_9_0 * p_7_0;
-  out[90] = p_9_0;                                              // l=9 m=0
-  out[110] = a_10_0 * nz * p_9_0 - b_10_0 * p_8_0;              // l=10 m=0
+  out[2] = t_1_0;                                                                                          // l=1 m=0
+  const T p_3_1 = a_3_10 * t_4 + b_3_10;
+  out[11] = p_3_1 * y_1_1s;                                                                                // l=3 m=-1
+  out[13] = p_3_1 * y_1_1c;                                                                                // l=3 m=1
+  const T p_4_1 = a_4_10 * t_4 + b_4_10;
+  const T p_5_1 = b_5_11 * t_12 + (a_5_10 * t_4 + b_5_10);
+  out[29] = p_5_1 * y_1_1s;                                                                                // l=5 m=-1
+  out[31] = p_5_1 * y_1_1c;                                                                                // l=5 m=1
+  const T p_6_1 = b_6_11 * t_12 + (a_6_10 * t_4 + b_6_10);
+  const T p_7_1 = (a_7_11 * t_4 + b_7_11) * t_12 + (a_7_10 * t_4 + b_7_10);
+  out[55] = p_7_1 * y_1_1s;                                                                                // l=7 m=-1
+  out[57] = p_7_1 * y_1_1c;                                                                                // l=7 m=1
+  const T p_8_1 = (a_8_11 * t_4 + b_8_11) * t_12 + (a_8_10 * t_4 + b_8_10);
+  const T p_9_1 = (b_9_12 * t_12 + (a_9_11 * t_4 + b_9_11)) * t_12 + (a_9_10 * t_4 - b_9_10);
+  out[89] = p_9_1 * y_1_1s;                                                                                // l=9 m=-1
+  out[91] = p_9_1 * y_1_1c;                                                                                // l=9 m=1
+  const T y_2_1s = t_2_1 * y_1_1s;
+  out[5] = y_2_1s;                                                                                         // l=2 m=-1
+  const T y_2_1c = t_2_1 * y_1_1c;
+  out[7] = y_2_1c;                                                                                         // l=2 m=1
+  out[19] = p_4_1 * y_2_1s;                                                                                // l=4 m=-1
+  out[21] = p_4_1 * y_2_1c;                                                                                // l=4 m=1
+  out[41] = p_6_1 * y_2_1s;                                                                                // l=6 m=-1
+  out[43] = p_6_1 * y_2_1c;                                                                                // l=6 m=1
+  out[71] = p_8_1 * y_2_1s;                                                                                // l=8 m=-1
+  out[73] = p_8_1 * y_2_1c;                                                                                // l=8 m=1
+  const T p_10_1 = (b_10_12 * t_12 + (a_10_11 * t_4 + b_10_11)) * t_12 + (a_10_10 * t_4 - b_10_10);
+  out[109] = p_10_1 * y_2_1s;                                                                              // l=10 m=-1
+  out[111] = p_10_1 * y_2_1c;                                                                              // l=10 m=1
+  out[6] = a_2_00 * u + b_2_00;                                                                            // l=2 m=0
+  out[12] = (a_3_00 * u - b_3_00) * t_1_0;                                                                 // l=3 m=0
+  out[20] = b_4_01 * t_11 + (a_4_00 * u + b_4_00);                                                         // l=4 m=0
+  out[30] = (b_5_01 * t_11 + (b_5_00 - a_5_00 * u)) * t_1_0;                                               // l=5 m=0
+  out[42] = (a_6_01 * u + b_6_01) * t_11 + (b_6_00 - b_6_01 * u);                                          // l=6 m=0
+  out[56] = ((a_7_01 * u - b_7_01) * t_11 - (a_7_00 * u + b_7_00)) * t_1_0;                                // l=7 m=0
+  out[72] = (b_8_02 * t_11 + (a_8_01 * u + b_8_01)) * t_11 - (a_8_00 * u + b_8_00);                        // l=8 m=0
+  out[90] = ((b_9_02 * t_11 + (b_9_01 - a_9_01 * u)) * t_11 - (a_9_00 * u + b_9_00)) * t_1_0;              // l=9 m=0
+  out[110] = ((a_10_02 * u + b_10_02) * t_11 + (b_10_01 - a_10_01 * u)) * t_11 - (a_10_00 * u + b_10_00);  // l=10 m=0
 }
 
 }  // namespace sh

@@ -6,20 +6,19 @@
 // Input:        x, y, z
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       out (25): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
-// Cost:         45 multiplications, 14 additions, 1 divisions, 1 square roots; longest chain 14; at most 10 values live
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Cost:         47 multiplications, 20 additions, 1 divisions, 1 square roots; longest chain 14; at most 11 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 27.3 eps  largest seen 1.4e-06 (13.9 eps)
-//               double  rounding  at most 27.8 eps  largest seen 3.1e-15 (16.4 eps)
+//               float   rounding  at most 16.1 eps  largest seen 7.6e-07 (7.5 eps)
+//               double  rounding  at most 15.9 eps  largest seen 1.5e-15 (7.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
 //               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = 0.09116146, -0.032768015, -17.190678
-//                         double x, y, z = 0.001026973600801329, 1.8639193647755664e-07, -16.024806147052
+//               worst:    float x, y, z = -0.0018916429, 0.00023927986, -0.003607766
+//                         double x, y, z = -3.0649448884920964e-05, 0.0004688934709886051, -0.0010247842379808101
 #pragma once
 
 #include <cmath>
@@ -82,80 +81,85 @@ namespace sh {
 
 template <class T>
 constexpr void basis_normalised_l4(T x, T y, T z, T* out) noexcept {
-  const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
-  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
-  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
-  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
-  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);     // 1/12 sqrt(210)
-  const T a_3_3  = detail::constant<T>(4.4212766f, 4.421276695971028);    // 2/3 sqrt(14) pi^(1/2)
-  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);    // 2/5 sqrt(35) pi^(1/2)
-  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);    // 1/5 sqrt(35) pi^(1/2)
-  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                        // 3
-  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);   // sqrt(7)
-  const T a_4_2  = detail::constant<T>(6.0621777f, 6.06217782649107);     // 7/2 sqrt(3)
-  const T b_4_2  = detail::constant<T>(0.8660254f, 0.8660254037844386);   // 1/2 sqrt(3)
-  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
-  const T a_3_1  = detail::constant<T>(4.6770716f, 4.677071733467427);    // 5/4 sqrt(14)
-  const T b_3_1  = detail::constant<T>(3.7416575f, 3.7416573867739413);   // sqrt(14)
-  const T a_4_1  = detail::constant<T>(4.2866073f, 4.286607049870562);    // 7/4 sqrt(6)
-  const T b_4_1  = detail::constant<T>(2.4494898f, 2.449489742783178);    // sqrt(6)
-  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
-  const T b_2_0  = detail::constant<T>(0.63078314f, 0.63078313050504);    // 1/2 sqrt(5/pi)
-  const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
-  const T b_3_0  = detail::constant<T>(1.5275252f, 1.5275252316519468);   // 1/3 sqrt(21)
-  const T a_4_0  = detail::constant<T>(0.20149627f, 0.2014962798384844);  // 5/14 sqrt(1/pi)
-  const T b_4_0  = detail::constant<T>(0.3626933f, 0.3626933037092719);   // 9/14 sqrt(1/pi)
+  const T one    = detail::constant<T>(1.0f, 1.0);                         // 1
+  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);   // 1/2 sqrt(3/pi)
+  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);    // 1/2 sqrt(15/pi)
+  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);   // 1/4 sqrt(15/pi)
+  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);      // 1/12 sqrt(210)
+  const T a_3_3  = detail::constant<T>(2.4152296f, 2.41522945769824);      // 1/6 sqrt(210)
+  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);     // 2/5 sqrt(35) pi^(1/2)
+  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);     // 1/5 sqrt(35) pi^(1/2)
+  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                         // 3
+  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);    // sqrt(7)
+  const T a_4_20 = detail::constant<T>(3.0310888f, 3.031088913245535);     // 7/4 sqrt(3)
+  const T b_4_20 = detail::constant<T>(2.1650636f, 2.165063509461097);     // 5/4 sqrt(3)
+  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);       // sqrt(5)
+  const T a_3_10 = detail::constant<T>(2.3385358f, 2.3385358667337135);    // 5/8 sqrt(14)
+  const T b_3_10 = detail::constant<T>(1.4031215f, 1.403121520040228);     // 3/8 sqrt(14)
+  const T a_4_10 = detail::constant<T>(2.1433036f, 2.143303524935281);     // 7/8 sqrt(6)
+  const T b_4_10 = detail::constant<T>(0.30618623f, 0.30618621784789724);  // 1/8 sqrt(6)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);   // 1/2 sqrt(1/pi)
+  const T a_2_00 = detail::constant<T>(0.47308734f, 0.47308734787878);     // 3/8 sqrt(5/pi)
+  const T b_2_00 = detail::constant<T>(0.15769579f, 0.15769578262626);     // 1/8 sqrt(5/pi)
+  const T a_3_00 = detail::constant<T>(1.9094065f, 1.9094065395649333);    // 5/12 sqrt(21)
+  const T b_3_00 = detail::constant<T>(0.3818813f, 0.3818813079129867);    // 1/12 sqrt(21)
+  const T b_4_01 = detail::constant<T>(0.46281177f, 0.46281176775401883);  // 105/128 sqrt(1/pi)
+  const T a_4_00 = detail::constant<T>(0.26446387f, 0.26446386728801075);  // 15/32 sqrt(1/pi)
+  const T b_4_00 = detail::constant<T>(0.11900874f, 0.11900874027960484);  // 27/128 sqrt(1/pi)
 
-  out[0] = k_0_0;                                            // l=0 m=0
+  out[0] = k_0_0;                                                  // l=0 m=0
   const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;
+  const T x2 = nx * nx;
+  const T y2 = ny * ny;
+  const T xy2 = x2 + y2;
+  const T t = x2 - y2;
   const T z2 = nz * nz;
-  const T xy2 = one - z2;
-  const T p_4_2 = a_4_2 * z2 - b_4_2;
   const T y_1_1c = k_1_1 * nx;
-  out[3] = y_1_1c;                                           // l=1 m=1
+  out[3] = y_1_1c;                                                 // l=1 m=1
+  const T y_2_2s = k_2_2s * nx * ny;
+  out[4] = y_2_2s;                                                 // l=2 m=-2
   const T y_1_1s = k_1_1 * ny;
-  out[1] = y_1_1s;                                           // l=1 m=-1
-  const T t = k_2_2s * nx;
-  const T y_2_2s = t * ny;
-  out[4] = y_2_2s;                                           // l=2 m=-2
-  out[18] = p_4_2 * y_2_2s;                                  // l=4 m=-2
-  const T y_2_2c = t * nx - k_2_2c * xy2;
-  out[8] = y_2_2c;                                           // l=2 m=2
-  out[22] = p_4_2 * y_2_2c;                                  // l=4 m=2
-  const T t_2 = b_3_3 * xy2;
-  const T t_3 = a_3_3 * y_2_2c;
-  const T y_3_3c = y_1_1c * (t_3 - t_2);
-  out[15] = y_3_3c;                                          // l=3 m=3
-  const T y_3_3s = y_1_1s * (t_3 + t_2);
-  out[9] = y_3_3s;                                           // l=3 m=-3
-  out[16] = k_4_4s * y_2_2c * y_2_2s;                        // l=4 m=-4
-  out[24] = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);  // l=4 m=4
+  out[1] = y_1_1s;                                                 // l=1 m=-1
+  const T y_2_2c = k_2_2c * t;
+  out[8] = y_2_2c;                                                 // l=2 m=2
+  const T t_2 = a_3_3 * t;
+  const T t_3 = b_3_3 * xy2;
+  const T u = z2 - xy2;
+  const T t_4 = z2 + z2 - one;
+  const T y_3_3c = y_1_1c * (t_2 - t_3);
+  out[15] = y_3_3c;                                                // l=3 m=3
+  const T y_3_3s = y_1_1s * (t_2 + t_3);
+  out[9] = y_3_3s;                                                 // l=3 m=-3
+  out[16] = k_4_4s * y_2_2c * y_2_2s;                              // l=4 m=-4
+  out[24] = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);        // l=4 m=4
   const T t_4_3 = k_4_3 * nz;
-  out[17] = t_4_3 * y_3_3s;                                  // l=4 m=-3
-  out[23] = t_4_3 * y_3_3c;                                  // l=4 m=3
+  out[17] = t_4_3 * y_3_3s;                                        // l=4 m=-3
+  out[23] = t_4_3 * y_3_3c;                                        // l=4 m=3
   const T t_3_2 = k_3_2 * nz;
-  out[10] = t_3_2 * y_2_2s;                                  // l=3 m=-2
-  out[14] = t_3_2 * y_2_2c;                                  // l=3 m=2
+  out[10] = t_3_2 * y_2_2s;                                        // l=3 m=-2
+  out[14] = t_3_2 * y_2_2c;                                        // l=3 m=2
+  const T p_4_2 = a_4_20 * t_4 + b_4_20;
+  out[18] = p_4_2 * y_2_2s;                                        // l=4 m=-2
+  out[22] = p_4_2 * y_2_2c;                                        // l=4 m=2
   const T t_2_1 = k_2_1 * nz;
   const T t_1_0 = k_1_1 * nz;
-  out[2] = t_1_0;                                            // l=1 m=0
-  const T p_3_1 = b_3_1 - a_3_1 * xy2;
-  out[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
-  out[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
+  out[2] = t_1_0;                                                  // l=1 m=0
+  const T p_3_1 = a_3_10 * t_4 + b_3_10;
+  const T p_4_1 = a_4_10 * t_4 + b_4_10;
+  out[11] = p_3_1 * y_1_1s;                                        // l=3 m=-1
+  out[13] = p_3_1 * y_1_1c;                                        // l=3 m=1
   const T y_2_1s = t_2_1 * y_1_1s;
-  out[5] = y_2_1s;                                           // l=2 m=-1
+  out[5] = y_2_1s;                                                 // l=2 m=-1
   const T y_2_1c = t_2_1 * y_1_1c;
-  out[7] = y_2_1c;                                           // l=2 m=1
-  const T p_4_1 = b_4_1 - a_4_1 * xy2;
-  out[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
-  out[21] = p_4_1 * y_2_1c;                                  // l=4 m=1
-  out[6] = b_2_0 - a_2_0 * xy2;                              // l=2 m=0
-  out[12] = (b_3_0 - a_3_0 * xy2) * t_1_0;                   // l=3 m=0
-  out[20] = a_4_0 * p_4_1 * p_4_1 - b_4_0;                   // l=4 m=0
+  out[7] = y_2_1c;                                                 // l=2 m=1
+  out[19] = p_4_1 * y_2_1s;                                        // l=4 m=-1
+  out[21] = p_4_1 * y_2_1c;                                        // l=4 m=1
+  out[6] = a_2_00 * u + b_2_00;                                    // l=2 m=0
+  out[12] = (a_3_00 * u - b_3_00) * t_1_0;                         // l=3 m=0
+  out[20] = b_4_01 * ((u + u) * u - one) + (a_4_00 * u + b_4_00);  // l=4 m=0
 }
 
 }  // namespace sh

@@ -6,20 +6,19 @@
 // Input:        x, y, z
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       out (49): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
-// Cost:         91 multiplications, 27 additions, 1 divisions, 1 square roots; longest chain 17; at most 15 values live
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Cost:         94 multiplications, 41 additions, 1 divisions, 1 square roots; longest chain 15; at most 16 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 66.1 eps  largest seen 3.8e-06 (31.4 eps)
-//               double  rounding  at most 67.6 eps  largest seen 8.9e-15 (39.4 eps)
+//               float   rounding  at most 31.3 eps  largest seen 1.8e-06 (15.1 eps)
+//               double  rounding  at most 31.5 eps  largest seen 3.6e-15 (16.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
 //               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = 0.031575017, 0.01443824, -19.930462
-//                         double x, y, z = 1.8073327183608319, -31.949731523200867, -262166.68038979615
+//               worst:    float x, y, z = -0.004316269, -0.31089988, -0.97019434
+//                         double x, y, z = 0.4864326775370204, -0.11610499612515206, -64.32479561615246
 #pragma once
 
 #include <cmath>
@@ -82,149 +81,158 @@ namespace sh {
 
 template <class T>
 constexpr void basis_normalised_l6(T x, T y, T z, T* out) noexcept {
-  const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
-  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
-  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
-  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
-  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);     // 1/12 sqrt(210)
-  const T a_3_3  = detail::constant<T>(4.4212766f, 4.421276695971028);    // 2/3 sqrt(14) pi^(1/2)
-  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);    // 2/5 sqrt(35) pi^(1/2)
-  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);    // 1/5 sqrt(35) pi^(1/2)
-  const T k_5_5  = detail::constant<T>(1.0488088f, 1.0488088481701516);   // 1/10 sqrt(110)
-  const T k_6_6s = detail::constant<T>(3.9246376f, 3.9246375605398574);   // 1/35 sqrt(6006) pi^(1/2)
-  const T k_6_6c = detail::constant<T>(1.9623188f, 1.9623187802699287);   // 1/70 sqrt(6006) pi^(1/2)
-  const T k_6_5  = detail::constant<T>(3.6055512f, 3.605551275463989);    // sqrt(13)
-  const T k_5_4  = detail::constant<T>(3.3166249f, 3.3166247903554);      // sqrt(11)
-  const T a_6_4  = detail::constant<T>(8.868484f, 8.868483523128404);     // 11/10 sqrt(65)
-  const T b_6_4  = detail::constant<T>(0.8062258f, 0.8062257748298549);   // 1/10 sqrt(65)
-  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                        // 3
-  const T a_5_3  = detail::constant<T>(7.4624057f, 7.46240577829965);     // 9/4 sqrt(11)
-  const T b_5_3  = detail::constant<T>(0.8291562f, 0.82915619758885);     // 1/4 sqrt(11)
-  const T a_6_3  = detail::constant<T>(5.7245817f, 5.724581498531865);    // 11/12 sqrt(39)
-  const T b_6_3  = detail::constant<T>(1.5612495f, 1.5612494995995996);   // 1/4 sqrt(39)
-  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);   // sqrt(7)
-  const T a_4_2  = detail::constant<T>(6.0621777f, 6.06217782649107);     // 7/2 sqrt(3)
-  const T b_4_2  = detail::constant<T>(0.8660254f, 0.8660254037844386);   // 1/2 sqrt(3)
-  const T a_5_2  = detail::constant<T>(4.974937f, 4.9749371855331);       // 3/2 sqrt(11)
-  const T b_5_2  = detail::constant<T>(1.6583124f, 1.6583123951777);      // 1/2 sqrt(11)
-  const T a_6_2  = detail::constant<T>(0.8490674f, 0.8490673990845341);   // 9/143 sqrt(182)
-  const T b_6_2  = detail::constant<T>(1.2264307f, 1.2264306875665492);   // 1/11 sqrt(182)
-  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
-  const T a_3_1  = detail::constant<T>(4.6770716f, 4.677071733467427);    // 5/4 sqrt(14)
-  const T b_3_1  = detail::constant<T>(3.7416575f, 3.7416573867739413);   // sqrt(14)
-  const T a_4_1  = detail::constant<T>(4.2866073f, 4.286607049870562);    // 7/4 sqrt(6)
-  const T b_4_1  = detail::constant<T>(2.4494898f, 2.449489742783178);    // sqrt(6)
-  const T a_5_1  = detail::constant<T>(0.7865665f, 0.7865665062071158);   // 7/66 sqrt(55)
-  const T b_5_1  = detail::constant<T>(1.2360331f, 1.2360330811826106);   // 1/6 sqrt(55)
-  const T a_6_1  = detail::constant<T>(0.9039596f, 0.90395954397465);     // 1/35 sqrt(1001)
-  const T b_6_1  = detail::constant<T>(0.9952267f, 0.9952267030562386);   // 2/105 sqrt(2730)
-  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
-  const T b_2_0  = detail::constant<T>(0.63078314f, 0.63078313050504);    // 1/2 sqrt(5/pi)
-  const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
-  const T b_3_0  = detail::constant<T>(1.5275252f, 1.5275252316519468);   // 1/3 sqrt(21)
-  const T a_4_0  = detail::constant<T>(0.20149627f, 0.2014962798384844);  // 5/14 sqrt(1/pi)
-  const T b_4_0  = detail::constant<T>(0.3626933f, 0.3626933037092719);   // 9/14 sqrt(1/pi)
-  const T b_5_0  = detail::constant<T>(1.002853f, 1.002853072844814);     // 4/35 sqrt(77)
-  const T b_6_0  = detail::constant<T>(1.001542f, 1.0015420209622192);    // 5/18 sqrt(13)
-  const T a_5_0  = detail::constant<T>(1.9899749f, 1.98997487421324);     // 3/5 sqrt(11)
-  const T a_6_0  = detail::constant<T>(1.9930434f, 1.9930434571835662);   // 1/6 sqrt(143)
+  const T one    = detail::constant<T>(1.0f, 1.0);                         // 1
+  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);   // 1/2 sqrt(3/pi)
+  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);    // 1/2 sqrt(15/pi)
+  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);   // 1/4 sqrt(15/pi)
+  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);      // 1/12 sqrt(210)
+  const T a_3_3  = detail::constant<T>(2.4152296f, 2.41522945769824);      // 1/6 sqrt(210)
+  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);     // 2/5 sqrt(35) pi^(1/2)
+  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);     // 1/5 sqrt(35) pi^(1/2)
+  const T k_5_5  = detail::constant<T>(1.0488088f, 1.0488088481701516);    // 1/10 sqrt(110)
+  const T k_6_6s = detail::constant<T>(3.9246376f, 3.9246375605398574);    // 1/35 sqrt(6006) pi^(1/2)
+  const T k_6_6c = detail::constant<T>(1.9623188f, 1.9623187802699287);    // 1/70 sqrt(6006) pi^(1/2)
+  const T k_6_5  = detail::constant<T>(3.6055512f, 3.605551275463989);     // sqrt(13)
+  const T k_5_4  = detail::constant<T>(3.3166249f, 3.3166247903554);       // sqrt(11)
+  const T a_6_40 = detail::constant<T>(4.434242f, 4.434241761564202);      // 11/20 sqrt(65)
+  const T b_6_40 = detail::constant<T>(3.628016f, 3.6280159867343476);     // 9/20 sqrt(65)
+  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                         // 3
+  const T a_5_30 = detail::constant<T>(3.7312028f, 3.731202889149825);     // 9/8 sqrt(11)
+  const T b_5_30 = detail::constant<T>(2.9020467f, 2.902046691560975);     // 7/8 sqrt(11)
+  const T a_6_30 = detail::constant<T>(2.8622909f, 2.8622907492659326);    // 11/24 sqrt(39)
+  const T b_6_30 = detail::constant<T>(1.3010412f, 1.301041249666333);     // 5/24 sqrt(39)
+  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);    // sqrt(7)
+  const T a_4_20 = detail::constant<T>(3.0310888f, 3.031088913245535);     // 7/4 sqrt(3)
+  const T b_4_20 = detail::constant<T>(2.1650636f, 2.165063509461097);     // 5/4 sqrt(3)
+  const T a_5_20 = detail::constant<T>(2.4874685f, 2.48746859276655);      // 3/4 sqrt(11)
+  const T b_5_20 = detail::constant<T>(0.8291562f, 0.82915619758885);      // 1/4 sqrt(11)
+  const T b_6_21 = detail::constant<T>(3.4780807f, 3.4780807780207605);    // 33/128 sqrt(182)
+  const T a_6_20 = detail::constant<T>(6.3237834f, 6.323783232765019);     // 15/32 sqrt(182)
+  const T b_6_20 = detail::constant<T>(3.6888735f, 3.6888735524462613);    // 35/128 sqrt(182)
+  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);       // sqrt(5)
+  const T a_3_10 = detail::constant<T>(2.3385358f, 2.3385358667337135);    // 5/8 sqrt(14)
+  const T b_3_10 = detail::constant<T>(1.4031215f, 1.403121520040228);     // 3/8 sqrt(14)
+  const T a_4_10 = detail::constant<T>(2.1433036f, 2.143303524935281);     // 7/8 sqrt(6)
+  const T b_4_10 = detail::constant<T>(0.30618623f, 0.30618621784789724);  // 1/8 sqrt(6)
+  const T b_5_11 = detail::constant<T>(2.4334402f, 2.4334401285782645);    // 21/64 sqrt(55)
+  const T a_5_10 = detail::constant<T>(3.244587f, 3.2445868381043526);     // 7/16 sqrt(55)
+  const T b_5_10 = detail::constant<T>(1.7381716f, 1.738171520413046);     // 15/64 sqrt(55)
+  const T b_6_11 = detail::constant<T>(2.1997313f, 2.1997314289192214);    // 33/320 sqrt(455)
+  const T a_6_10 = detail::constant<T>(0.7999023f, 0.7999023377888078);    // 3/80 sqrt(455)
+  const T b_6_10 = detail::constant<T>(1.266512f, 1.2665120348322791);     // 19/320 sqrt(455)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);   // 1/2 sqrt(1/pi)
+  const T a_2_00 = detail::constant<T>(0.47308734f, 0.47308734787878);     // 3/8 sqrt(5/pi)
+  const T b_2_00 = detail::constant<T>(0.15769579f, 0.15769578262626);     // 1/8 sqrt(5/pi)
+  const T a_3_00 = detail::constant<T>(1.9094065f, 1.9094065395649333);    // 5/12 sqrt(21)
+  const T b_3_00 = detail::constant<T>(0.3818813f, 0.3818813079129867);    // 1/12 sqrt(21)
+  const T b_4_01 = detail::constant<T>(0.46281177f, 0.46281176775401883);  // 105/128 sqrt(1/pi)
+  const T a_4_00 = detail::constant<T>(0.26446387f, 0.26446386728801075);  // 15/32 sqrt(1/pi)
+  const T b_4_00 = detail::constant<T>(0.11900874f, 0.11900874027960484);  // 27/128 sqrt(1/pi)
+  const T b_5_01 = detail::constant<T>(1.8849347f, 1.8849346183952906);    // 21/64 sqrt(33)
+  const T a_5_00 = detail::constant<T>(0.8377487f, 0.8377487192867958);    // 7/48 sqrt(33)
+  const T b_5_00 = detail::constant<T>(0.86766833f, 0.8676683164041814);   // 29/192 sqrt(33)
+  const T a_6_01 = detail::constant<T>(0.91778034f, 0.9177803577388854);   // 231/512 sqrt(13/pi)
+  const T b_6_01 = detail::constant<T>(0.25030375f, 0.2503037339287869);   // 63/512 sqrt(13/pi)
+  const T b_6_00 = detail::constant<T>(0.09932688f, 0.09932687854316942);  // 25/512 sqrt(13/pi)
 
-  out[0] = k_0_0;                                            // l=0 m=0
+  out[0] = k_0_0;                                                 // l=0 m=0
   const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;
+  const T x2 = nx * nx;
+  const T y2 = ny * ny;
+  const T xy2 = x2 + y2;
+  const T t = x2 - y2;
   const T z2 = nz * nz;
-  const T xy2 = one - z2;
   const T y_1_1c = k_1_1 * nx;
-  out[3] = y_1_1c;                                           // l=1 m=1
+  out[3] = y_1_1c;                                                // l=1 m=1
   const T y_1_1s = k_1_1 * ny;
-  out[1] = y_1_1s;                                           // l=1 m=-1
-  const T t = k_2_2s * nx;
-  const T y_2_2s = t * ny;
-  out[4] = y_2_2s;                                           // l=2 m=-2
+  out[1] = y_1_1s;                                                // l=1 m=-1
+  const T y_2_2s = k_2_2s * nx * ny;
+  out[4] = y_2_2s;                                                // l=2 m=-2
   const T t_2 = k_5_5 * nx;
   const T t_3 = k_5_5 * ny;
-  const T y_2_2c = t * nx - k_2_2c * xy2;
-  out[8] = y_2_2c;                                           // l=2 m=2
-  const T t_4 = b_3_3 * xy2;
-  const T t_5 = a_3_3 * y_2_2c;
-  const T y_3_3c = y_1_1c * (t_5 - t_4);
-  out[15] = y_3_3c;                                          // l=3 m=3
-  const T y_3_3s = y_1_1s * (t_5 + t_4);
-  out[9] = y_3_3s;                                           // l=3 m=-3
+  const T y_2_2c = k_2_2c * t;
+  out[8] = y_2_2c;                                                // l=2 m=2
+  const T t_4 = a_3_3 * t;
+  const T t_5 = b_3_3 * xy2;
+  const T u = z2 - xy2;
+  const T t_6 = z2 + z2 - one;
+  const T y_3_3c = y_1_1c * (t_4 - t_5);
+  out[15] = y_3_3c;                                               // l=3 m=3
+  const T y_3_3s = y_1_1s * (t_4 + t_5);
+  out[9] = y_3_3s;                                                // l=3 m=-3
   const T y_4_4s = k_4_4s * y_2_2c * y_2_2s;
-  out[16] = y_4_4s;                                          // l=4 m=-4
+  out[16] = y_4_4s;                                               // l=4 m=-4
   const T y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
-  out[24] = y_4_4c;                                          // l=4 m=4
+  out[24] = y_4_4c;                                               // l=4 m=4
   const T y_5_5c = t_2 * y_4_4c - t_3 * y_4_4s;
-  out[35] = y_5_5c;                                          // l=5 m=5
+  out[35] = y_5_5c;                                               // l=5 m=5
   const T y_5_5s = t_2 * y_4_4s + t_3 * y_4_4c;
-  out[25] = y_5_5s;                                          // l=5 m=-5
-  out[36] = k_6_6s * y_3_3c * y_3_3s;                        // l=6 m=-6
-  out[48] = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);  // l=6 m=6
+  out[25] = y_5_5s;                                               // l=5 m=-5
+  out[36] = k_6_6s * y_3_3c * y_3_3s;                             // l=6 m=-6
+  out[48] = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);       // l=6 m=6
+  const T t_7 = (u + u) * u - one;
+  const T t_8 = (t_6 + t_6) * t_6 - one;
   const T t_6_5 = k_6_5 * nz;
-  out[37] = t_6_5 * y_5_5s;                                  // l=6 m=-5
-  out[47] = t_6_5 * y_5_5c;                                  // l=6 m=5
+  out[37] = t_6_5 * y_5_5s;                                       // l=6 m=-5
+  out[47] = t_6_5 * y_5_5c;                                       // l=6 m=5
   const T t_5_4 = k_5_4 * nz;
-  out[26] = t_5_4 * y_4_4s;                                  // l=5 m=-4
-  out[34] = t_5_4 * y_4_4c;                                  // l=5 m=4
-  const T p_6_4 = a_6_4 * z2 - b_6_4;
-  out[38] = p_6_4 * y_4_4s;                                  // l=6 m=-4
-  out[46] = p_6_4 * y_4_4c;                                  // l=6 m=4
+  out[26] = t_5_4 * y_4_4s;                                       // l=5 m=-4
+  out[34] = t_5_4 * y_4_4c;                                       // l=5 m=4
+  const T p_6_4 = a_6_40 * t_6 + b_6_40;
+  out[38] = p_6_4 * y_4_4s;                                       // l=6 m=-4
+  out[46] = p_6_4 * y_4_4c;                                       // l=6 m=4
   const T t_4_3 = k_4_3 * nz;
-  const T p_5_3 = a_5_3 * z2 - b_5_3;
-  out[27] = p_5_3 * y_3_3s;                                  // l=5 m=-3
-  out[33] = p_5_3 * y_3_3c;                                  // l=5 m=3
+  const T p_5_3 = a_5_30 * t_6 + b_5_30;
+  out[27] = p_5_3 * y_3_3s;                                       // l=5 m=-3
+  out[33] = p_5_3 * y_3_3c;                                       // l=5 m=3
   const T y_4_3s = t_4_3 * y_3_3s;
-  out[17] = y_4_3s;                                          // l=4 m=-3
+  out[17] = y_4_3s;                                               // l=4 m=-3
   const T y_4_3c = t_4_3 * y_3_3c;
-  out[23] = y_4_3c;                                          // l=4 m=3
-  const T p_6_3 = a_6_3 * z2 - b_6_3;
-  out[39] = p_6_3 * y_4_3s;                                  // l=6 m=-3
-  out[45] = p_6_3 * y_4_3c;                                  // l=6 m=3
+  out[23] = y_4_3c;                                               // l=4 m=3
+  const T p_6_3 = a_6_30 * t_6 + b_6_30;
+  out[39] = p_6_3 * y_4_3s;                                       // l=6 m=-3
+  out[45] = p_6_3 * y_4_3c;                                       // l=6 m=3
   const T t_3_2 = k_3_2 * nz;
-  const T p_4_2 = a_4_2 * z2 - b_4_2;
-  const T p_5_2 = a_5_2 * z2 - b_5_2;
-  out[18] = p_4_2 * y_2_2s;                                  // l=4 m=-2
-  out[22] = p_4_2 * y_2_2c;                                  // l=4 m=2
-  const T p_6_2 = a_6_2 * p_6_3 * p_6_3 - b_6_2;
-  out[40] = p_6_2 * y_2_2s;                                  // l=6 m=-2
-  out[44] = p_6_2 * y_2_2c;                                  // l=6 m=2
+  const T p_4_2 = a_4_20 * t_6 + b_4_20;
+  out[18] = p_4_2 * y_2_2s;                                       // l=4 m=-2
+  out[22] = p_4_2 * y_2_2c;                                       // l=4 m=2
+  const T p_5_2 = a_5_20 * t_6 + b_5_20;
+  const T p_6_2 = b_6_21 * t_8 + (a_6_20 * t_6 + b_6_20);
+  out[40] = p_6_2 * y_2_2s;                                       // l=6 m=-2
+  out[44] = p_6_2 * y_2_2c;                                       // l=6 m=2
   const T y_3_2s = t_3_2 * y_2_2s;
-  out[10] = y_3_2s;                                          // l=3 m=-2
+  out[10] = y_3_2s;                                               // l=3 m=-2
   const T y_3_2c = t_3_2 * y_2_2c;
-  out[14] = y_3_2c;                                          // l=3 m=2
-  out[28] = p_5_2 * y_3_2s;                                  // l=5 m=-2
-  out[32] = p_5_2 * y_3_2c;                                  // l=5 m=2
+  out[14] = y_3_2c;                                               // l=3 m=2
+  out[28] = p_5_2 * y_3_2s;                                       // l=5 m=-2
+  out[32] = p_5_2 * y_3_2c;                                       // l=5 m=2
   const T t_2_1 = k_2_1 * nz;
-  const T p_3_1 = b_3_1 - a_3_1 * xy2;
-  out[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
-  out[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
-  const T p_4_1 = b_4_1 - a_4_1 * xy2;
-  const T p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
-  out[29] = p_5_1 * y_1_1s;                                  // l=5 m=-1
-  const T y_2_1s = t_2_1 * y_1_1s;
-  out[5] = y_2_1s;                                           // l=2 m=-1
-  const T y_2_1c = t_2_1 * y_1_1c;
-  out[7] = y_2_1c;                                           // l=2 m=1
-  out[31] = p_5_1 * y_1_1c;                                  // l=5 m=1
-  out[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
-  out[21] = p_4_1 * y_2_1c;                                  // l=4 m=1
-  const T p_6_1 = a_6_1 * p_5_1 - b_6_1 * p_4_1;
-  out[41] = p_6_1 * y_2_1s;                                  // l=6 m=-1
-  out[43] = p_6_1 * y_2_1c;                                  // l=6 m=1
   const T t_1_0 = k_1_1 * nz;
-  out[2] = t_1_0;                                            // l=1 m=0
-  out[6] = b_2_0 - a_2_0 * xy2;                              // l=2 m=0
-  const T y_3_0 = (b_3_0 - a_3_0 * xy2) * t_1_0;
-  out[12] = y_3_0;                                           // l=3 m=0
-  const T p_4_0 = a_4_0 * p_4_1 * p_4_1 - b_4_0;
-  out[20] = p_4_0;                                           // l=4 m=0
-  const T p_5_0 = a_5_0 * nz * p_4_0 - b_5_0 * y_3_0;
-  out[30] = p_5_0;                                           // l=5 m=0
-  out[42] = a_6_0 * nz * p_5_0 - b_6_0 * p_4_0;              // l=6 m=0
+  out[2] = t_1_0;                                                 // l=1 m=0
+  const T p_3_1 = a_3_10 * t_6 + b_3_10;
+  out[11] = p_3_1 * y_1_1s;                                       // l=3 m=-1
+  out[13] = p_3_1 * y_1_1c;                                       // l=3 m=1
+  const T p_4_1 = a_4_10 * t_6 + b_4_10;
+  const T p_5_1 = b_5_11 * t_8 + (a_5_10 * t_6 + b_5_10);
+  const T p_6_1 = b_6_11 * t_8 + (a_6_10 * t_6 + b_6_10);
+  out[29] = p_5_1 * y_1_1s;                                       // l=5 m=-1
+  out[31] = p_5_1 * y_1_1c;                                       // l=5 m=1
+  const T y_2_1s = t_2_1 * y_1_1s;
+  out[5] = y_2_1s;                                                // l=2 m=-1
+  const T y_2_1c = t_2_1 * y_1_1c;
+  out[7] = y_2_1c;                                                // l=2 m=1
+  out[19] = p_4_1 * y_2_1s;                                       // l=4 m=-1
+  out[21] = p_4_1 * y_2_1c;                                       // l=4 m=1
+  out[41] = p_6_1 * y_2_1s;                                       // l=6 m=-1
+  out[43] = p_6_1 * y_2_1c;                                       // l=6 m=1
+  out[6] = a_2_00 * u + b_2_00;                                   // l=2 m=0
+  out[12] = (a_3_00 * u - b_3_00) * t_1_0;                        // l=3 m=0
+  out[20] = b_4_01 * t_7 + (a_4_00 * u + b_4_00);                 // l=4 m=0
+  out[30] = (b_5_01 * t_7 + (b_5_00 - a_5_00 * u)) * t_1_0;       // l=5 m=0
+  out[42] = (a_6_01 * u + b_6_01) * t_7 + (b_6_00 - b_6_01 * u);  // l=6 m=0
 }
 
 }  // namespace sh

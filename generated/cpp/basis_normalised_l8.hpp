@@ -6,21 +6,20 @@
 // Input:        x, y, z
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       out (81): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
-// Cost:         155 multiplications, 44 additions, 1 divisions, 1 square roots; longest chain 21; at most 19 values
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Cost:         161 multiplications, 73 additions, 1 divisions, 1 square roots; longest chain 17; at most 20 values
 //               live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 119.0 eps  largest seen 7.4e-06 (53.4 eps)
-//               double  rounding  at most 122.6 eps  largest seen 1.7e-14 (64.4 eps)
+//               float   rounding  at most 53.4 eps  largest seen 3.6e-06 (26.2 eps)
+//               double  rounding  at most 56.1 eps  largest seen 6.9e-15 (26.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
 //               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = 0.081995375, -0.03277191, -17.191584
-//                         double x, y, z = 0.09478566749268827, 0.00024149868610491123, -16.03882010998954
+//               worst:    float x, y, z = 0.0004378751, 0.0014725741, 0.06301683
+//                         double x, y, z = 8.933491956256396e-13, 5.890428102448184e-10, -1.907474868335419e-06
 #pragma once
 
 #include <cmath>
@@ -83,237 +82,258 @@ namespace sh {
 
 template <class T>
 constexpr void basis_normalised_l8(T x, T y, T z, T* out) noexcept {
-  const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
-  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
-  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
-  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
-  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);     // 1/12 sqrt(210)
-  const T a_3_3  = detail::constant<T>(4.4212766f, 4.421276695971028);    // 2/3 sqrt(14) pi^(1/2)
-  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);    // 2/5 sqrt(35) pi^(1/2)
-  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);    // 1/5 sqrt(35) pi^(1/2)
-  const T k_5_5  = detail::constant<T>(1.0488088f, 1.0488088481701516);   // 1/10 sqrt(110)
-  const T k_6_6s = detail::constant<T>(3.9246376f, 3.9246375605398574);   // 1/35 sqrt(6006) pi^(1/2)
-  const T k_6_6c = detail::constant<T>(1.9623188f, 1.9623187802699287);   // 1/70 sqrt(6006) pi^(1/2)
-  const T k_7_7  = detail::constant<T>(1.0350983f, 1.0350983390135313);   // 1/14 sqrt(210)
-  const T k_8_8s = detail::constant<T>(3.7221434f, 3.7221435174375443);   // 2/105 sqrt(12155) pi^(1/2)
-  const T k_8_8c = detail::constant<T>(1.8610717f, 1.8610717587187722);   // 1/105 sqrt(12155) pi^(1/2)
-  const T k_8_7  = detail::constant<T>(4.1231055f, 4.123105625617661);    // sqrt(17)
-  const T k_7_6  = detail::constant<T>(3.8729835f, 3.872983346207417);    // sqrt(15)
-  const T a_8_6  = detail::constant<T>(11.687906f, 11.687905837109694);   // 15/14 sqrt(119)
-  const T b_8_6  = detail::constant<T>(0.7791937f, 0.7791937224739796);   // 1/14 sqrt(119)
-  const T k_6_5  = detail::constant<T>(3.6055512f, 3.605551275463989);    // sqrt(13)
-  const T a_7_5  = detail::constant<T>(10.277402f, 10.277402395547233);   // 13/4 sqrt(10)
-  const T b_7_5  = detail::constant<T>(0.7905694f, 0.7905694150420949);   // 1/4 sqrt(10)
-  const T a_8_5  = detail::constant<T>(7.28869f, 7.2886898685566255);     // 5/4 sqrt(34)
-  const T b_8_5  = detail::constant<T>(1.4577379f, 1.4577379737113252);   // 1/4 sqrt(34)
-  const T k_5_4  = detail::constant<T>(3.3166249f, 3.3166247903554);      // sqrt(11)
-  const T a_6_4  = detail::constant<T>(8.868484f, 8.868483523128404);     // 11/10 sqrt(65)
-  const T b_6_4  = detail::constant<T>(0.8062258f, 0.8062257748298549);   // 1/10 sqrt(65)
-  const T a_7_4  = detail::constant<T>(6.5f, 6.5);                        // 13/2
-  const T b_7_4  = detail::constant<T>(1.5f, 1.5);                        // 3/2
-  const T a_8_4  = detail::constant<T>(0.93532f, 0.9353200144398519);     // 13/425 sqrt(935)
-  const T b_8_4  = detail::constant<T>(1.2231108f, 1.2231107881136525);   // 1/25 sqrt(935)
-  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                        // 3
-  const T a_5_3  = detail::constant<T>(7.4624057f, 7.46240577829965);     // 9/4 sqrt(11)
-  const T b_5_3  = detail::constant<T>(0.8291562f, 0.82915619758885);     // 1/4 sqrt(11)
-  const T a_6_3  = detail::constant<T>(5.7245817f, 5.724581498531865);    // 11/12 sqrt(39)
-  const T b_6_3  = detail::constant<T>(1.5612495f, 1.5612494995995996);   // 1/4 sqrt(39)
-  const T a_7_3  = detail::constant<T>(0.8974817f, 0.897481683813695);    // 33/52 sqrt(2)
-  const T b_7_3  = detail::constant<T>(1.2238387f, 1.2238386597459476);   // 45/52 sqrt(2)
-  const T a_8_3  = detail::constant<T>(0.5477226f, 0.5477225575051661);   // 1/10 sqrt(30)
-  const T b_8_3  = detail::constant<T>(1.1165423f, 1.116542281629615);    // 1/30 sqrt(1122)
-  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);   // sqrt(7)
-  const T a_4_2  = detail::constant<T>(6.0621777f, 6.06217782649107);     // 7/2 sqrt(3)
-  const T b_4_2  = detail::constant<T>(0.8660254f, 0.8660254037844386);   // 1/2 sqrt(3)
-  const T a_5_2  = detail::constant<T>(4.974937f, 4.9749371855331);       // 3/2 sqrt(11)
-  const T b_5_2  = detail::constant<T>(1.6583124f, 1.6583123951777);      // 1/2 sqrt(11)
-  const T a_6_2  = detail::constant<T>(0.8490674f, 0.8490673990845341);   // 9/143 sqrt(182)
-  const T b_6_2  = detail::constant<T>(1.2264307f, 1.2264306875665492);   // 1/11 sqrt(182)
-  const T a_7_2  = detail::constant<T>(0.7867958f, 0.7867957924694432);   // 1/21 sqrt(273)
-  const T b_7_2  = detail::constant<T>(0.9847319f, 0.9847319278346619);   // 4/33 sqrt(66)
-  const T a_8_2  = detail::constant<T>(5.454356f, 5.454356057317857);     // 1/2 sqrt(119)
-  const T b_8_2  = detail::constant<T>(0.9903379f, 0.9903379376602871);   // 1/26 sqrt(663)
-  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
-  const T a_3_1  = detail::constant<T>(4.6770716f, 4.677071733467427);    // 5/4 sqrt(14)
-  const T b_3_1  = detail::constant<T>(3.7416575f, 3.7416573867739413);   // sqrt(14)
-  const T a_4_1  = detail::constant<T>(4.2866073f, 4.286607049870562);    // 7/4 sqrt(6)
-  const T b_4_1  = detail::constant<T>(2.4494898f, 2.449489742783178);    // sqrt(6)
-  const T a_5_1  = detail::constant<T>(0.7865665f, 0.7865665062071158);   // 7/66 sqrt(55)
-  const T b_5_1  = detail::constant<T>(1.2360331f, 1.2360330811826106);   // 1/6 sqrt(55)
-  const T a_6_1  = detail::constant<T>(0.9039596f, 0.90395954397465);     // 1/35 sqrt(1001)
-  const T b_6_1  = detail::constant<T>(0.9952267f, 0.9952267030562386);   // 2/105 sqrt(2730)
-  const T a_7_1  = detail::constant<T>(4.506939f, 4.5069390943299865);    // 5/4 sqrt(13)
-  const T b_7_1  = detail::constant<T>(0.9971551f, 0.9971550440218321);   // 5/44 sqrt(77)
-  const T a_8_1  = detail::constant<T>(0.8997354f, 0.8997354108424374);   // 1/21 sqrt(357)
-  const T b_8_1  = detail::constant<T>(0.9981668f, 0.9981668178901743);   // 4/273 sqrt(4641)
-  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
-  const T b_2_0  = detail::constant<T>(0.63078314f, 0.63078313050504);    // 1/2 sqrt(5/pi)
-  const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
-  const T b_3_0  = detail::constant<T>(1.5275252f, 1.5275252316519468);   // 1/3 sqrt(21)
-  const T a_4_0  = detail::constant<T>(0.20149627f, 0.2014962798384844);  // 5/14 sqrt(1/pi)
-  const T b_4_0  = detail::constant<T>(0.3626933f, 0.3626933037092719);   // 9/14 sqrt(1/pi)
-  const T b_5_0  = detail::constant<T>(1.002853f, 1.002853072844814);     // 4/35 sqrt(77)
-  const T b_6_0  = detail::constant<T>(1.001542f, 1.0015420209622192);    // 5/18 sqrt(13)
-  const T b_7_0  = detail::constant<T>(1.0009272f, 1.000927213921958);    // 6/77 sqrt(165)
-  const T b_8_0  = detail::constant<T>(1.0006008f, 1.0006007810695148);   // 7/104 sqrt(221)
-  const T a_5_0  = detail::constant<T>(1.9899749f, 1.98997487421324);     // 3/5 sqrt(11)
-  const T a_6_0  = detail::constant<T>(1.9930434f, 1.9930434571835662);   // 1/6 sqrt(143)
-  const T a_7_0  = detail::constant<T>(1.9948914f, 1.9948914348241344);   // 1/7 sqrt(195)
-  const T a_8_0  = detail::constant<T>(1.9960899f, 1.996089927833914);    // 1/8 sqrt(255)
+  const T one    = detail::constant<T>(1.0f, 1.0);                         // 1
+  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);   // 1/2 sqrt(3/pi)
+  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);    // 1/2 sqrt(15/pi)
+  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);   // 1/4 sqrt(15/pi)
+  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);      // 1/12 sqrt(210)
+  const T a_3_3  = detail::constant<T>(2.4152296f, 2.41522945769824);      // 1/6 sqrt(210)
+  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);     // 2/5 sqrt(35) pi^(1/2)
+  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);     // 1/5 sqrt(35) pi^(1/2)
+  const T k_5_5  = detail::constant<T>(1.0488088f, 1.0488088481701516);    // 1/10 sqrt(110)
+  const T k_6_6s = detail::constant<T>(3.9246376f, 3.9246375605398574);    // 1/35 sqrt(6006) pi^(1/2)
+  const T k_6_6c = detail::constant<T>(1.9623188f, 1.9623187802699287);    // 1/70 sqrt(6006) pi^(1/2)
+  const T k_7_7  = detail::constant<T>(1.0350983f, 1.0350983390135313);    // 1/14 sqrt(210)
+  const T k_8_8s = detail::constant<T>(3.7221434f, 3.7221435174375443);    // 2/105 sqrt(12155) pi^(1/2)
+  const T k_8_8c = detail::constant<T>(1.8610717f, 1.8610717587187722);    // 1/105 sqrt(12155) pi^(1/2)
+  const T k_8_7  = detail::constant<T>(4.1231055f, 4.123105625617661);     // sqrt(17)
+  const T k_7_6  = detail::constant<T>(3.8729835f, 3.872983346207417);     // sqrt(15)
+  const T a_8_60 = detail::constant<T>(5.843953f, 5.843952918554847);      // 15/28 sqrt(119)
+  const T b_8_60 = detail::constant<T>(5.0647593f, 5.0647591960808676);    // 13/28 sqrt(119)
+  const T k_6_5  = detail::constant<T>(3.6055512f, 3.605551275463989);     // sqrt(13)
+  const T a_7_50 = detail::constant<T>(5.138701f, 5.138701197773616);      // 13/8 sqrt(10)
+  const T b_7_50 = detail::constant<T>(4.3481317f, 4.348131782731522);     // 11/8 sqrt(10)
+  const T a_8_50 = detail::constant<T>(3.644345f, 3.6443449342783127);     // 5/8 sqrt(34)
+  const T b_8_50 = detail::constant<T>(2.186607f, 2.1866069605669876);     // 3/8 sqrt(34)
+  const T k_5_4  = detail::constant<T>(3.3166249f, 3.3166247903554);       // sqrt(11)
+  const T a_6_40 = detail::constant<T>(4.434242f, 4.434241761564202);      // 11/20 sqrt(65)
+  const T b_6_40 = detail::constant<T>(3.628016f, 3.6280159867343476);     // 9/20 sqrt(65)
+  const T a_7_40 = detail::constant<T>(3.25f, 3.25);                       // 13/4
+  const T b_7_40 = detail::constant<T>(1.75f, 1.75);                       // 7/4
+  const T b_8_41 = detail::constant<T>(6.2111096f, 6.2111094708896415);    // 13/64 sqrt(935)
+  const T a_8_40 = detail::constant<T>(14.906663f, 14.906662730135139);    // 39/80 sqrt(935)
+  const T b_8_40 = detail::constant<T>(9.459997f, 9.459997501816531);      // 99/320 sqrt(935)
+  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                         // 3
+  const T a_5_30 = detail::constant<T>(3.7312028f, 3.731202889149825);     // 9/8 sqrt(11)
+  const T b_5_30 = detail::constant<T>(2.9020467f, 2.902046691560975);     // 7/8 sqrt(11)
+  const T a_6_30 = detail::constant<T>(2.8622909f, 2.8622907492659326);    // 11/24 sqrt(39)
+  const T b_6_30 = detail::constant<T>(1.3010412f, 1.301041249666333);     // 5/24 sqrt(39)
+  const T b_7_31 = detail::constant<T>(4.7398252f, 4.7398251426410765);    // 429/128 sqrt(2)
+  const T a_7_30 = detail::constant<T>(10.208854f, 10.20885415338078);     // 231/32 sqrt(2)
+  const T b_7_30 = detail::constant<T>(6.264524f, 6.264524139574569);      // 567/128 sqrt(2)
+  const T b_8_31 = detail::constant<T>(3.4019647f, 3.4019647643402333);    // 13/128 sqrt(1122)
+  const T a_8_30 = detail::constant<T>(4.535953f, 4.535953019120312);      // 13/96 sqrt(1122)
+  const T b_8_30 = detail::constant<T>(3.227505f, 3.227505032835606);      // 37/384 sqrt(1122)
+  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);    // sqrt(7)
+  const T a_4_20 = detail::constant<T>(3.0310888f, 3.031088913245535);     // 7/4 sqrt(3)
+  const T b_4_20 = detail::constant<T>(2.1650636f, 2.165063509461097);     // 5/4 sqrt(3)
+  const T a_5_20 = detail::constant<T>(2.4874685f, 2.48746859276655);      // 3/4 sqrt(11)
+  const T b_5_20 = detail::constant<T>(0.8291562f, 0.82915619758885);      // 1/4 sqrt(11)
+  const T b_6_21 = detail::constant<T>(3.4780807f, 3.4780807780207605);    // 33/128 sqrt(182)
+  const T a_6_20 = detail::constant<T>(6.3237834f, 6.323783232765019);     // 15/32 sqrt(182)
+  const T b_6_20 = detail::constant<T>(3.6888735f, 3.6888735524462613);    // 35/128 sqrt(182)
+  const T b_7_21 = detail::constant<T>(2.7365394f, 2.736539322015582);     // 143/128 sqrt(6)
+  const T a_7_20 = detail::constant<T>(2.5260363f, 2.5260362972451524);    // 33/32 sqrt(6)
+  const T b_7_20 = detail::constant<T>(2.0858936f, 2.0858936090888003);    // 109/128 sqrt(6)
+  const T a_8_21 = detail::constant<T>(7.46303f, 7.463029913562095);       // 143/512 sqrt(714)
+  const T a_8_20 = detail::constant<T>(6.3148713f, 6.314871465321773);     // 121/512 sqrt(714)
+  const T b_8_20 = detail::constant<T>(5.479847f, 5.479847139328811);      // 105/512 sqrt(714)
+  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);       // sqrt(5)
+  const T a_3_10 = detail::constant<T>(2.3385358f, 2.3385358667337135);    // 5/8 sqrt(14)
+  const T b_3_10 = detail::constant<T>(1.4031215f, 1.403121520040228);     // 3/8 sqrt(14)
+  const T a_4_10 = detail::constant<T>(2.1433036f, 2.143303524935281);     // 7/8 sqrt(6)
+  const T b_4_10 = detail::constant<T>(0.30618623f, 0.30618621784789724);  // 1/8 sqrt(6)
+  const T b_5_11 = detail::constant<T>(2.4334402f, 2.4334401285782645);    // 21/64 sqrt(55)
+  const T a_5_10 = detail::constant<T>(3.244587f, 3.2445868381043526);     // 7/16 sqrt(55)
+  const T b_5_10 = detail::constant<T>(1.7381716f, 1.738171520413046);     // 15/64 sqrt(55)
+  const T b_6_11 = detail::constant<T>(2.1997313f, 2.1997314289192214);    // 33/320 sqrt(455)
+  const T a_6_10 = detail::constant<T>(0.7999023f, 0.7999023377888078);    // 3/80 sqrt(455)
+  const T b_6_10 = detail::constant<T>(1.266512f, 1.2665120348322791);     // 19/320 sqrt(455)
+  const T a_7_11 = detail::constant<T>(4.957028f, 4.957027787011202);      // 429/512 sqrt(35)
+  const T b_7_11 = detail::constant<T>(3.4317884f, 3.431788467930832);     // 297/512 sqrt(35)
+  const T a_7_10 = detail::constant<T>(1.4212457f, 1.4212457291430718);    // 123/512 sqrt(35)
+  const T b_7_10 = detail::constant<T>(2.0220976f, 2.0220975821141267);    // 175/512 sqrt(35)
+  const T a_8_11 = detail::constant<T>(4.4600134f, 4.460013432503902);     // 143/512 sqrt(255)
+  const T b_8_11 = detail::constant<T>(0.8920027f, 0.8920026865007803);    // 143/2560 sqrt(255)
+  const T a_8_10 = detail::constant<T>(0.48030913f, 0.48030913888503557);  // 77/2560 sqrt(255)
+  const T b_8_10 = detail::constant<T>(0.5551625f, 0.5551625111788073);    // 89/2560 sqrt(255)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);   // 1/2 sqrt(1/pi)
+  const T a_2_00 = detail::constant<T>(0.47308734f, 0.47308734787878);     // 3/8 sqrt(5/pi)
+  const T b_2_00 = detail::constant<T>(0.15769579f, 0.15769578262626);     // 1/8 sqrt(5/pi)
+  const T a_3_00 = detail::constant<T>(1.9094065f, 1.9094065395649333);    // 5/12 sqrt(21)
+  const T b_3_00 = detail::constant<T>(0.3818813f, 0.3818813079129867);    // 1/12 sqrt(21)
+  const T b_4_01 = detail::constant<T>(0.46281177f, 0.46281176775401883);  // 105/128 sqrt(1/pi)
+  const T a_4_00 = detail::constant<T>(0.26446387f, 0.26446386728801075);  // 15/32 sqrt(1/pi)
+  const T b_4_00 = detail::constant<T>(0.11900874f, 0.11900874027960484);  // 27/128 sqrt(1/pi)
+  const T b_5_01 = detail::constant<T>(1.8849347f, 1.8849346183952906);    // 21/64 sqrt(33)
+  const T a_5_00 = detail::constant<T>(0.8377487f, 0.8377487192867958);    // 7/48 sqrt(33)
+  const T b_5_00 = detail::constant<T>(0.86766833f, 0.8676683164041814);   // 29/192 sqrt(33)
+  const T a_6_01 = detail::constant<T>(0.91778034f, 0.9177803577388854);   // 231/512 sqrt(13/pi)
+  const T b_6_01 = detail::constant<T>(0.25030375f, 0.2503037339287869);   // 63/512 sqrt(13/pi)
+  const T b_6_00 = detail::constant<T>(0.09932688f, 0.09932687854316942);  // 25/512 sqrt(13/pi)
+  const T a_7_01 = detail::constant<T>(3.7471607f, 3.7471607904195694);    // 429/256 sqrt(5)
+  const T b_7_01 = detail::constant<T>(0.8647294f, 0.8647294131737467);    // 99/256 sqrt(5)
+  const T a_7_00 = detail::constant<T>(0.18342745f, 0.18342745127927962);  // 21/256 sqrt(5)
+  const T b_7_00 = detail::constant<T>(0.46293595f, 0.46293594846675334);  // 53/256 sqrt(5)
+  const T b_8_02 = detail::constant<T>(0.9136464f, 0.9136463767690742);    // 6435/16384 sqrt(17/pi)
+  const T a_8_01 = detail::constant<T>(0.48727807f, 0.48727806761017295);  // 429/2048 sqrt(17/pi)
+  const T b_8_01 = detail::constant<T>(0.19678538f, 0.19678537345795444);  // 693/8192 sqrt(17/pi)
+  const T a_8_00 = detail::constant<T>(0.06474324f, 0.0647432397524006);   // 57/2048 sqrt(17/pi)
+  const T b_8_00 = detail::constant<T>(0.36985996f, 0.3698599551644815);   // 2605/16384 sqrt(17/pi)
 
-  out[0] = k_0_0;                                            // l=0 m=0
+  out[0] = k_0_0;                                                                  // l=0 m=0
   const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;
+  const T x2 = nx * nx;
+  const T y2 = ny * ny;
+  const T xy2 = x2 + y2;
+  const T t = x2 - y2;
   const T z2 = nz * nz;
-  const T xy2 = one - z2;
   const T y_1_1c = k_1_1 * nx;
-  out[3] = y_1_1c;                                           // l=1 m=1
+  out[3] = y_1_1c;                                                                 // l=1 m=1
   const T y_1_1s = k_1_1 * ny;
-  out[1] = y_1_1s;                                           // l=1 m=-1
-  const T t = k_2_2s * nx;
-  const T y_2_2s = t * ny;
-  out[4] = y_2_2s;                                           // l=2 m=-2
-  const T y_2_2c = t * nx - k_2_2c * xy2;
-  out[8] = y_2_2c;                                           // l=2 m=2
-  const T t_2 = b_3_3 * xy2;
-  const T t_3 = a_3_3 * y_2_2c;
-  const T y_3_3c = y_1_1c * (t_3 - t_2);
-  out[15] = y_3_3c;                                          // l=3 m=3
-  const T y_3_3s = y_1_1s * (t_3 + t_2);
-  out[9] = y_3_3s;                                           // l=3 m=-3
+  out[1] = y_1_1s;                                                                 // l=1 m=-1
+  const T y_2_2s = k_2_2s * nx * ny;
+  out[4] = y_2_2s;                                                                 // l=2 m=-2
+  const T y_2_2c = k_2_2c * t;
+  out[8] = y_2_2c;                                                                 // l=2 m=2
+  const T t_2 = a_3_3 * t;
+  const T t_3 = b_3_3 * xy2;
+  const T u = z2 - xy2;
+  const T t_4 = z2 + z2 - one;
+  const T y_3_3c = y_1_1c * (t_2 - t_3);
+  out[15] = y_3_3c;                                                                // l=3 m=3
+  const T y_3_3s = y_1_1s * (t_2 + t_3);
+  out[9] = y_3_3s;                                                                 // l=3 m=-3
   const T y_4_4s = k_4_4s * y_2_2c * y_2_2s;
-  out[16] = y_4_4s;                                          // l=4 m=-4
+  out[16] = y_4_4s;                                                                // l=4 m=-4
   const T y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
-  out[24] = y_4_4c;                                          // l=4 m=4
-  const T t_4 = k_5_5 * nx;
-  const T t_5 = k_7_7 * nx;
-  const T t_6 = k_5_5 * ny;
-  const T t_7 = k_7_7 * ny;
-  const T y_5_5c = t_4 * y_4_4c - t_6 * y_4_4s;
-  out[35] = y_5_5c;                                          // l=5 m=5
-  const T y_5_5s = t_4 * y_4_4s + t_6 * y_4_4c;
-  out[25] = y_5_5s;                                          // l=5 m=-5
+  out[24] = y_4_4c;                                                                // l=4 m=4
+  const T t_5 = k_5_5 * nx;
+  const T t_6 = k_7_7 * nx;
+  const T t_7 = k_5_5 * ny;
+  const T t_8 = k_7_7 * ny;
+  const T y_5_5c = t_5 * y_4_4c - t_7 * y_4_4s;
+  out[35] = y_5_5c;                                                                // l=5 m=5
+  const T y_5_5s = t_5 * y_4_4s + t_7 * y_4_4c;
+  out[25] = y_5_5s;                                                                // l=5 m=-5
   const T y_6_6s = k_6_6s * y_3_3c * y_3_3s;
-  out[36] = y_6_6s;                                          // l=6 m=-6
+  out[36] = y_6_6s;                                                                // l=6 m=-6
   const T y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
-  out[48] = y_6_6c;                                          // l=6 m=6
-  const T y_7_7c = t_5 * y_6_6c - t_7 * y_6_6s;
-  out[63] = y_7_7c;                                          // l=7 m=7
-  const T y_7_7s = t_5 * y_6_6s + t_7 * y_6_6c;
-  out[49] = y_7_7s;                                          // l=7 m=-7
-  out[64] = k_8_8s * y_4_4c * y_4_4s;                        // l=8 m=-8
-  out[80] = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);  // l=8 m=8
+  out[48] = y_6_6c;                                                                // l=6 m=6
+  const T y_7_7c = t_6 * y_6_6c - t_8 * y_6_6s;
+  out[63] = y_7_7c;                                                                // l=7 m=7
+  const T y_7_7s = t_6 * y_6_6s + t_8 * y_6_6c;
+  out[49] = y_7_7s;                                                                // l=7 m=-7
+  out[64] = k_8_8s * y_4_4c * y_4_4s;                                              // l=8 m=-8
+  out[80] = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);                        // l=8 m=8
+  const T t_9 = (u + u) * u - one;
+  const T t_10 = (t_4 + t_4) * t_4 - one;
   const T t_8_7 = k_8_7 * nz;
-  out[65] = t_8_7 * y_7_7s;                                  // l=8 m=-7
-  out[79] = t_8_7 * y_7_7c;                                  // l=8 m=7
+  out[65] = t_8_7 * y_7_7s;                                                        // l=8 m=-7
+  out[79] = t_8_7 * y_7_7c;                                                        // l=8 m=7
   const T t_7_6 = k_7_6 * nz;
-  out[50] = t_7_6 * y_6_6s;                                  // l=7 m=-6
-  out[62] = t_7_6 * y_6_6c;                                  // l=7 m=6
-  const T p_8_6 = a_8_6 * z2 - b_8_6;
-  out[66] = p_8_6 * y_6_6s;                                  // l=8 m=-6
-  out[78] = p_8_6 * y_6_6c;                                  // l=8 m=6
+  out[50] = t_7_6 * y_6_6s;                                                        // l=7 m=-6
+  out[62] = t_7_6 * y_6_6c;                                                        // l=7 m=6
+  const T p_8_6 = a_8_60 * t_4 + b_8_60;
+  out[66] = p_8_6 * y_6_6s;                                                        // l=8 m=-6
+  out[78] = p_8_6 * y_6_6c;                                                        // l=8 m=6
   const T t_6_5 = k_6_5 * nz;
-  const T p_7_5 = a_7_5 * z2 - b_7_5;
-  out[51] = p_7_5 * y_5_5s;                                  // l=7 m=-5
-  out[61] = p_7_5 * y_5_5c;                                  // l=7 m=5
+  const T p_7_5 = a_7_50 * t_4 + b_7_50;
+  out[51] = p_7_5 * y_5_5s;                                                        // l=7 m=-5
+  out[61] = p_7_5 * y_5_5c;                                                        // l=7 m=5
   const T y_6_5s = t_6_5 * y_5_5s;
-  out[37] = y_6_5s;                                          // l=6 m=-5
+  out[37] = y_6_5s;                                                                // l=6 m=-5
   const T y_6_5c = t_6_5 * y_5_5c;
-  out[47] = y_6_5c;                                          // l=6 m=5
-  const T p_8_5 = a_8_5 * z2 - b_8_5;
-  out[67] = p_8_5 * y_6_5s;                                  // l=8 m=-5
-  out[77] = p_8_5 * y_6_5c;                                  // l=8 m=5
+  out[47] = y_6_5c;                                                                // l=6 m=5
+  const T p_8_5 = a_8_50 * t_4 + b_8_50;
+  out[67] = p_8_5 * y_6_5s;                                                        // l=8 m=-5
+  out[77] = p_8_5 * y_6_5c;                                                        // l=8 m=5
   const T t_5_4 = k_5_4 * nz;
-  const T p_6_4 = a_6_4 * z2 - b_6_4;
-  out[38] = p_6_4 * y_4_4s;                                  // l=6 m=-4
-  out[46] = p_6_4 * y_4_4c;                                  // l=6 m=4
-  const T p_7_4 = a_7_4 * z2 - b_7_4;
-  const T p_8_4 = a_8_4 * p_8_5 * p_8_5 - b_8_4;
-  out[68] = p_8_4 * y_4_4s;                                  // l=8 m=-4
+  const T p_6_4 = a_6_40 * t_4 + b_6_40;
+  out[38] = p_6_4 * y_4_4s;                                                        // l=6 m=-4
+  out[46] = p_6_4 * y_4_4c;                                                        // l=6 m=4
+  const T p_7_4 = a_7_40 * t_4 + b_7_40;
+  const T p_8_4 = b_8_41 * t_10 + (a_8_40 * t_4 + b_8_40);
+  out[68] = p_8_4 * y_4_4s;                                                        // l=8 m=-4
+  out[76] = p_8_4 * y_4_4c;                                                        // l=8 m=4
   const T y_5_4s = t_5_4 * y_4_4s;
-  out[26] = y_5_4s;                                          // l=5 m=-4
-  out[52] = p_7_4 * y_5_4s;                                  // l=7 m=-4
+  out[26] = y_5_4s;                                                                // l=5 m=-4
   const T y_5_4c = t_5_4 * y_4_4c;
-  out[34] = y_5_4c;                                          // l=5 m=4
-  out[60] = p_7_4 * y_5_4c;                                  // l=7 m=4
-  out[76] = p_8_4 * y_4_4c;                                  // l=8 m=4
+  out[34] = y_5_4c;                                                                // l=5 m=4
+  out[52] = p_7_4 * y_5_4s;                                                        // l=7 m=-4
+  out[60] = p_7_4 * y_5_4c;                                                        // l=7 m=4
   const T t_4_3 = k_4_3 * nz;
-  const T p_5_3 = a_5_3 * z2 - b_5_3;
-  out[27] = p_5_3 * y_3_3s;                                  // l=5 m=-3
-  out[33] = p_5_3 * y_3_3c;                                  // l=5 m=3
-  const T p_6_3 = a_6_3 * z2 - b_6_3;
-  const T p_7_3 = a_7_3 * p_7_4 * p_7_4 - b_7_3;
-  const T p_8_3 = a_8_3 * p_8_4 - b_8_3 * p_7_4;
-  out[53] = p_7_3 * y_3_3s;                                  // l=7 m=-3
-  out[59] = p_7_3 * y_3_3c;                                  // l=7 m=3
+  const T p_5_3 = a_5_30 * t_4 + b_5_30;
+  out[27] = p_5_3 * y_3_3s;                                                        // l=5 m=-3
+  out[33] = p_5_3 * y_3_3c;                                                        // l=5 m=3
+  const T p_6_3 = a_6_30 * t_4 + b_6_30;
+  const T p_7_3 = b_7_31 * t_10 + (a_7_30 * t_4 + b_7_30);
+  out[53] = p_7_3 * y_3_3s;                                                        // l=7 m=-3
+  out[59] = p_7_3 * y_3_3c;                                                        // l=7 m=3
   const T y_4_3s = t_4_3 * y_3_3s;
-  out[17] = y_4_3s;                                          // l=4 m=-3
+  out[17] = y_4_3s;                                                                // l=4 m=-3
   const T y_4_3c = t_4_3 * y_3_3c;
-  out[23] = y_4_3c;                                          // l=4 m=3
-  out[39] = p_6_3 * y_4_3s;                                  // l=6 m=-3
-  out[69] = p_8_3 * y_4_3s;                                  // l=8 m=-3
-  out[75] = p_8_3 * y_4_3c;                                  // l=8 m=3
-  out[45] = p_6_3 * y_4_3c;                                  // l=6 m=3
+  out[23] = y_4_3c;                                                                // l=4 m=3
+  out[39] = p_6_3 * y_4_3s;                                                        // l=6 m=-3
+  out[45] = p_6_3 * y_4_3c;                                                        // l=6 m=3
+  const T p_8_3 = b_8_31 * t_10 + (a_8_30 * t_4 + b_8_30);
+  out[69] = p_8_3 * y_4_3s;                                                        // l=8 m=-3
+  out[75] = p_8_3 * y_4_3c;                                                        // l=8 m=3
   const T t_3_2 = k_3_2 * nz;
-  const T p_4_2 = a_4_2 * z2 - b_4_2;
-  out[18] = p_4_2 * y_2_2s;                                  // l=4 m=-2
-  out[22] = p_4_2 * y_2_2c;                                  // l=4 m=2
-  const T p_5_2 = a_5_2 * z2 - b_5_2;
-  const T p_6_2 = a_6_2 * p_6_3 * p_6_3 - b_6_2;
-  out[40] = p_6_2 * y_2_2s;                                  // l=6 m=-2
-  out[44] = p_6_2 * y_2_2c;                                  // l=6 m=2
-  const T p_7_2 = a_7_2 * p_6_2 - b_7_2 * p_5_2;
-  const T p_8_2 = a_8_2 * z2 * p_7_2 - b_8_2 * p_6_2;
-  out[70] = p_8_2 * y_2_2s;                                  // l=8 m=-2
-  out[74] = p_8_2 * y_2_2c;                                  // l=8 m=2
+  const T p_4_2 = a_4_20 * t_4 + b_4_20;
+  out[18] = p_4_2 * y_2_2s;                                                        // l=4 m=-2
+  out[22] = p_4_2 * y_2_2c;                                                        // l=4 m=2
+  const T p_5_2 = a_5_20 * t_4 + b_5_20;
+  const T p_6_2 = b_6_21 * t_10 + (a_6_20 * t_4 + b_6_20);
+  out[40] = p_6_2 * y_2_2s;                                                        // l=6 m=-2
+  out[44] = p_6_2 * y_2_2c;                                                        // l=6 m=2
+  const T p_7_2 = b_7_21 * t_10 + (a_7_20 * t_4 + b_7_20);
+  const T p_8_2 = (a_8_21 * t_4 + a_8_21) * t_10 + (a_8_20 * t_4 + b_8_20);
+  out[70] = p_8_2 * y_2_2s;                                                        // l=8 m=-2
+  out[74] = p_8_2 * y_2_2c;                                                        // l=8 m=2
   const T y_3_2s = t_3_2 * y_2_2s;
-  out[10] = y_3_2s;                                          // l=3 m=-2
+  out[10] = y_3_2s;                                                                // l=3 m=-2
   const T y_3_2c = t_3_2 * y_2_2c;
-  out[14] = y_3_2c;                                          // l=3 m=2
-  out[28] = p_5_2 * y_3_2s;                                  // l=5 m=-2
-  out[54] = p_7_2 * y_3_2s;                                  // l=7 m=-2
-  out[58] = p_7_2 * y_3_2c;                                  // l=7 m=2
-  out[32] = p_5_2 * y_3_2c;                                  // l=5 m=2
+  out[14] = y_3_2c;                                                                // l=3 m=2
+  out[28] = p_5_2 * y_3_2s;                                                        // l=5 m=-2
+  out[32] = p_5_2 * y_3_2c;                                                        // l=5 m=2
+  out[54] = p_7_2 * y_3_2s;                                                        // l=7 m=-2
+  out[58] = p_7_2 * y_3_2c;                                                        // l=7 m=2
   const T t_2_1 = k_2_1 * nz;
-  const T p_3_1 = b_3_1 - a_3_1 * xy2;
-  out[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
-  out[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
-  const T p_4_1 = b_4_1 - a_4_1 * xy2;
-  const T p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
-  out[29] = p_5_1 * y_1_1s;                                  // l=5 m=-1
-  out[31] = p_5_1 * y_1_1c;                                  // l=5 m=1
-  const T p_6_1 = a_6_1 * p_5_1 - b_6_1 * p_4_1;
-  const T p_7_1 = a_7_1 * z2 * p_6_1 - b_7_1 * p_5_1;
-  out[55] = p_7_1 * y_1_1s;                                  // l=7 m=-1
-  const T y_2_1s = t_2_1 * y_1_1s;
-  out[5] = y_2_1s;                                           // l=2 m=-1
-  const T y_2_1c = t_2_1 * y_1_1c;
-  out[7] = y_2_1c;                                           // l=2 m=1
-  out[57] = p_7_1 * y_1_1c;                                  // l=7 m=1
-  out[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
-  out[21] = p_4_1 * y_2_1c;                                  // l=4 m=1
-  out[41] = p_6_1 * y_2_1s;                                  // l=6 m=-1
-  out[43] = p_6_1 * y_2_1c;                                  // l=6 m=1
-  const T p_8_1 = a_8_1 * p_7_1 - b_8_1 * p_6_1;
-  out[71] = p_8_1 * y_2_1s;                                  // l=8 m=-1
-  out[73] = p_8_1 * y_2_1c;                                  // l=8 m=1
   const T t_1_0 = k_1_1 * nz;
-  out[2] = t_1_0;                                            // l=1 m=0
-  out[6] = b_2_0 - a_2_0 * xy2;                              // l=2 m=0
-  const T y_3_0 = (b_3_0 - a_3_0 * xy2) * t_1_0;
-  out[12] = y_3_0;                                           // l=3 m=0
-  const T p_4_0 = a_4_0 * p_4_1 * p_4_1 - b_4_0;
-  out[20] = p_4_0;                                           // l=4 m=0
-  const T p_5_0 = a_5_0 * nz * p_4_0 - b_5_0 * y_3_0;
-  out[30] = p_5_0;                                           // l=5 m=0
-  const T p_6_0 = a_6_0 * nz * p_5_0 - b_6_0 * p_4_0;
-  out[42] = p_6_0;                                           // l=6 m=0
-  const T p_7_0 = a_7_0 * nz * p_6_0 - b_7_0 * p_5_0;
-  out[56] = p_7_0;                                           // l=7 m=0
-  out[72] = a_8_0 * nz * p_7_0 - b_8_0 * p_6_0;              // l=8 m=0
+  out[2] = t_1_0;                                                                  // l=1 m=0
+  const T p_3_1 = a_3_10 * t_4 + b_3_10;
+  out[11] = p_3_1 * y_1_1s;                                                        // l=3 m=-1
+  out[13] = p_3_1 * y_1_1c;                                                        // l=3 m=1
+  const T p_4_1 = a_4_10 * t_4 + b_4_10;
+  const T p_5_1 = b_5_11 * t_10 + (a_5_10 * t_4 + b_5_10);
+  out[29] = p_5_1 * y_1_1s;                                                        // l=5 m=-1
+  out[31] = p_5_1 * y_1_1c;                                                        // l=5 m=1
+  const T p_6_1 = b_6_11 * t_10 + (a_6_10 * t_4 + b_6_10);
+  const T p_7_1 = (a_7_11 * t_4 + b_7_11) * t_10 + (a_7_10 * t_4 + b_7_10);
+  out[55] = p_7_1 * y_1_1s;                                                        // l=7 m=-1
+  out[57] = p_7_1 * y_1_1c;                                                        // l=7 m=1
+  const T y_2_1s = t_2_1 * y_1_1s;
+  out[5] = y_2_1s;                                                                 // l=2 m=-1
+  const T y_2_1c = t_2_1 * y_1_1c;
+  out[7] = y_2_1c;                                                                 // l=2 m=1
+  out[19] = p_4_1 * y_2_1s;                                                        // l=4 m=-1
+  out[21] = p_4_1 * y_2_1c;                                                        // l=4 m=1
+  out[41] = p_6_1 * y_2_1s;                                                        // l=6 m=-1
+  out[43] = p_6_1 * y_2_1c;                                                        // l=6 m=1
+  const T p_8_1 = (a_8_11 * t_4 + b_8_11) * t_10 + (a_8_10 * t_4 + b_8_10);
+  out[71] = p_8_1 * y_2_1s;                                                        // l=8 m=-1
+  out[73] = p_8_1 * y_2_1c;                                                        // l=8 m=1
+  out[6] = a_2_00 * u + b_2_00;                                                    // l=2 m=0
+  out[12] = (a_3_00 * u - b_3_00) * t_1_0;                                         // l=3 m=0
+  out[20] = b_4_01 * t_9 + (a_4_00 * u + b_4_00);                                  // l=4 m=0
+  out[30] = (b_5_01 * t_9 + (b_5_00 - a_5_00 * u)) * t_1_0;                        // l=5 m=0
+  out[42] = (a_6_01 * u + b_6_01) * t_9 + (b_6_00 - b_6_01 * u);                   // l=6 m=0
+  out[56] = ((a_7_01 * u - b_7_01) * t_9 - (a_7_00 * u + b_7_00)) * t_1_0;         // l=7 m=0
+  out[72] = (b_8_02 * t_9 + (a_8_01 * u + b_8_01)) * t_9 - (a_8_00 * u + b_8_00);  // l=8 m=0
 }
 
 }  // namespace sh

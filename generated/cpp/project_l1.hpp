@@ -7,9 +7,8 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis; any weight
 // Output:       sum (4): sum += weight Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
 // Cost:         6 multiplications, 4 additions; longest chain 3; at most 8 values live
 // Error:        eps counts units of machine epsilon x |weight| sqrt((2l+1)/(4 pi)) + |sum before|
 //               float   rounding  at most 1.6e-07 (1.7 eps)  largest seen 1.1e-07 (1.6 eps)

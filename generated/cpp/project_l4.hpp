@@ -7,15 +7,14 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis; any weight
 // Output:       sum (25): sum += weight Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
-// Cost:         48 multiplications, 37 additions; longest chain 9; at most 36 values live
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Cost:         50 multiplications, 43 additions; longest chain 10; at most 36 values live
 // Error:        eps counts units of machine epsilon x |weight| sqrt((2l+1)/(4 pi)) + |sum before|
-//               float   rounding  at most 8.3e-07 (8.6 eps)  largest seen 7.2e-07 (4.4 eps)
-//                       total                                largest seen 9.1e-07 (6.3 eps)
-//               double  rounding  at most 1.9e-15 (9.1 eps)  largest seen 1.6e-15 (6.5 eps)
-//                       total                                largest seen 1.9e-15 (7.8 eps)
+//               float   rounding  at most 5.8e-07 (5.3 eps)  largest seen 4.2e-07 (3.0 eps)
+//                       total                                largest seen 4.4e-07 (3.1 eps)
+//               double  rounding  at most 1.1e-15 (5.2 eps)  largest seen 7.6e-16 (3.2 eps)
+//                       total                                largest seen 1.0e-15 (3.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
@@ -60,79 +59,84 @@ namespace sh {
 
 template <class T>
 constexpr void project_l4(T x, T y, T z, T weight, T* sum) noexcept {
-  const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
-  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
-  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
-  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
-  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);     // 1/12 sqrt(210)
-  const T a_3_3  = detail::constant<T>(4.4212766f, 4.421276695971028);    // 2/3 sqrt(14) pi^(1/2)
-  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);    // 2/5 sqrt(35) pi^(1/2)
-  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);    // 1/5 sqrt(35) pi^(1/2)
-  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                        // 3
-  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);   // sqrt(7)
-  const T a_4_2  = detail::constant<T>(6.0621777f, 6.06217782649107);     // 7/2 sqrt(3)
-  const T b_4_2  = detail::constant<T>(0.8660254f, 0.8660254037844386);   // 1/2 sqrt(3)
-  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
-  const T a_3_1  = detail::constant<T>(4.6770716f, 4.677071733467427);    // 5/4 sqrt(14)
-  const T b_3_1  = detail::constant<T>(3.7416575f, 3.7416573867739413);   // sqrt(14)
-  const T a_4_1  = detail::constant<T>(4.2866073f, 4.286607049870562);    // 7/4 sqrt(6)
-  const T b_4_1  = detail::constant<T>(2.4494898f, 2.449489742783178);    // sqrt(6)
-  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
-  const T b_2_0  = detail::constant<T>(0.63078314f, 0.63078313050504);    // 1/2 sqrt(5/pi)
-  const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
-  const T b_3_0  = detail::constant<T>(1.5275252f, 1.5275252316519468);   // 1/3 sqrt(21)
-  const T a_4_0  = detail::constant<T>(0.20149627f, 0.2014962798384844);  // 5/14 sqrt(1/pi)
-  const T b_4_0  = detail::constant<T>(0.3626933f, 0.3626933037092719);   // 9/14 sqrt(1/pi)
+  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);   // 1/2 sqrt(3/pi)
+  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);    // 1/2 sqrt(15/pi)
+  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);   // 1/4 sqrt(15/pi)
+  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);      // 1/12 sqrt(210)
+  const T a_3_3  = detail::constant<T>(2.4152296f, 2.41522945769824);      // 1/6 sqrt(210)
+  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);     // 2/5 sqrt(35) pi^(1/2)
+  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);     // 1/5 sqrt(35) pi^(1/2)
+  const T one    = detail::constant<T>(1.0f, 1.0);                         // 1
+  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                         // 3
+  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);    // sqrt(7)
+  const T a_4_20 = detail::constant<T>(3.0310888f, 3.031088913245535);     // 7/4 sqrt(3)
+  const T b_4_20 = detail::constant<T>(2.1650636f, 2.165063509461097);     // 5/4 sqrt(3)
+  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);       // sqrt(5)
+  const T a_3_10 = detail::constant<T>(2.3385358f, 2.3385358667337135);    // 5/8 sqrt(14)
+  const T b_3_10 = detail::constant<T>(1.4031215f, 1.403121520040228);     // 3/8 sqrt(14)
+  const T a_4_10 = detail::constant<T>(2.1433036f, 2.143303524935281);     // 7/8 sqrt(6)
+  const T b_4_10 = detail::constant<T>(0.30618623f, 0.30618621784789724);  // 1/8 sqrt(6)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);   // 1/2 sqrt(1/pi)
+  const T a_2_00 = detail::constant<T>(0.47308734f, 0.47308734787878);     // 3/8 sqrt(5/pi)
+  const T b_2_00 = detail::constant<T>(0.15769579f, 0.15769578262626);     // 1/8 sqrt(5/pi)
+  const T a_3_00 = detail::constant<T>(1.9094065f, 1.9094065395649333);    // 5/12 sqrt(21)
+  const T b_3_00 = detail::constant<T>(0.3818813f, 0.3818813079129867);    // 1/12 sqrt(21)
+  const T b_4_01 = detail::constant<T>(0.46281177f, 0.46281176775401883);  // 105/128 sqrt(1/pi)
+  const T a_4_00 = detail::constant<T>(0.26446387f, 0.26446386728801075);  // 15/32 sqrt(1/pi)
+  const T b_4_00 = detail::constant<T>(0.11900874f, 0.11900874027960484);  // 27/128 sqrt(1/pi)
 
+  const T x2 = x * x;
+  const T y2 = y * y;
+  const T xy2 = x2 + y2;
+  const T t = x2 - y2;
   const T z2 = z * z;
-  const T xy2 = one - z2;
-  const T p_4_2 = a_4_2 * z2 - b_4_2;
-  const T t = k_2_2s * x;
-  const T y_2_2s = t * y;
-  const T y_2_2c = t * x - k_2_2c * xy2;
-  const T t_2 = b_3_3 * xy2;
-  const T t_3 = a_3_3 * y_2_2c;
-  sum[16] = sum[16] + weight * (k_4_4s * y_2_2c * y_2_2s);                        // l=4 m=-4
+  const T y_2_2s = k_2_2s * x * y;
+  const T y_2_2c = k_2_2c * t;
+  const T t_2 = a_3_3 * t;
+  const T t_3 = b_3_3 * xy2;
+  const T u = z2 - xy2;
+  const T t_4 = z2 + z2 - one;
+  sum[16] = sum[16] + weight * (k_4_4s * y_2_2c * y_2_2s);                              // l=4 m=-4
   const T y_2_2c_2 = weight * y_2_2c;
-  sum[8] = sum[8] + y_2_2c_2;                                                     // l=2 m=2
+  sum[8] = sum[8] + y_2_2c_2;                                                           // l=2 m=2
   const T y_2_2s_2 = weight * y_2_2s;
-  sum[4] = sum[4] + y_2_2s_2;                                                     // l=2 m=-2
-  sum[24] = sum[24] + weight * (k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s));  // l=4 m=4
-  const T t_4 = k_1_1 * weight;
-  const T y_1_1c = t_4 * x;
-  const T y_1_1s = t_4 * y;
-  sum[1] = sum[1] + y_1_1s;                                                       // l=1 m=-1
-  sum[3] = sum[3] + y_1_1c;                                                       // l=1 m=1
-  const T y_3_3c = y_1_1c * (t_3 - t_2);
-  sum[15] = sum[15] + y_3_3c;                                                     // l=3 m=3
-  const T y_3_3s = y_1_1s * (t_3 + t_2);
-  sum[9] = sum[9] + y_3_3s;                                                       // l=3 m=-3
+  sum[4] = sum[4] + y_2_2s_2;                                                           // l=2 m=-2
+  sum[24] = sum[24] + weight * (k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s));        // l=4 m=4
+  const T t_5 = k_1_1 * weight;
+  const T y_1_1c = t_5 * x;
+  const T y_1_1s = t_5 * y;
+  sum[1] = sum[1] + y_1_1s;                                                             // l=1 m=-1
+  sum[3] = sum[3] + y_1_1c;                                                             // l=1 m=1
+  const T y_3_3c = y_1_1c * (t_2 - t_3);
+  sum[15] = sum[15] + y_3_3c;                                                           // l=3 m=3
+  const T y_3_3s = y_1_1s * (t_2 + t_3);
+  sum[9] = sum[9] + y_3_3s;                                                             // l=3 m=-3
   const T t_4_3 = k_4_3 * z;
-  sum[17] = sum[17] + t_4_3 * y_3_3s;                                             // l=4 m=-3
-  sum[23] = sum[23] + t_4_3 * y_3_3c;                                             // l=4 m=3
+  sum[17] = sum[17] + t_4_3 * y_3_3s;                                                   // l=4 m=-3
+  sum[23] = sum[23] + t_4_3 * y_3_3c;                                                   // l=4 m=3
   const T t_3_2 = k_3_2 * z;
+  const T p_4_2 = a_4_20 * t_4 + b_4_20;
   const T t_2_1 = k_2_1 * z;
   const T y_1_0 = k_1_1 * z * weight;
-  sum[2] = sum[2] + y_1_0;                                                        // l=1 m=0
-  const T p_3_1 = b_3_1 - a_3_1 * xy2;
-  const T p_4_1 = b_4_1 - a_4_1 * xy2;
-  sum[12] = sum[12] + (b_3_0 - a_3_0 * xy2) * y_1_0;                              // l=3 m=0
-  sum[6] = sum[6] + (b_2_0 - a_2_0 * xy2) * weight;                               // l=2 m=0
-  sum[20] = sum[20] + (a_4_0 * p_4_1 * p_4_1 - b_4_0) * weight;                   // l=4 m=0
-  sum[0] = sum[0] + k_0_0 * weight;                                               // l=0 m=0
-  sum[10] = sum[10] + t_3_2 * y_2_2s_2;                                           // l=3 m=-2
-  sum[14] = sum[14] + t_3_2 * y_2_2c_2;                                           // l=3 m=2
-  sum[18] = sum[18] + p_4_2 * y_2_2s_2;                                           // l=4 m=-2
-  sum[22] = sum[22] + p_4_2 * y_2_2c_2;                                           // l=4 m=2
+  sum[2] = sum[2] + y_1_0;                                                              // l=1 m=0
+  const T p_3_1 = a_3_10 * t_4 + b_3_10;
+  const T p_4_1 = a_4_10 * t_4 + b_4_10;
+  sum[6] = sum[6] + (a_2_00 * u + b_2_00) * weight;                                     // l=2 m=0
+  sum[12] = sum[12] + (a_3_00 * u - b_3_00) * y_1_0;                                    // l=3 m=0
+  sum[20] = sum[20] + (b_4_01 * ((u + u) * u - one) + (a_4_00 * u + b_4_00)) * weight;  // l=4 m=0
+  sum[0] = sum[0] + k_0_0 * weight;                                                     // l=0 m=0
+  sum[10] = sum[10] + t_3_2 * y_2_2s_2;                                                 // l=3 m=-2
+  sum[14] = sum[14] + t_3_2 * y_2_2c_2;                                                 // l=3 m=2
+  sum[18] = sum[18] + p_4_2 * y_2_2s_2;                                                 // l=4 m=-2
+  sum[22] = sum[22] + p_4_2 * y_2_2c_2;                                                 // l=4 m=2
   const T y_2_1s = t_2_1 * y_1_1s;
-  sum[5] = sum[5] + y_2_1s;                                                       // l=2 m=-1
+  sum[5] = sum[5] + y_2_1s;                                                             // l=2 m=-1
   const T y_2_1c = t_2_1 * y_1_1c;
-  sum[7] = sum[7] + y_2_1c;                                                       // l=2 m=1
-  sum[11] = sum[11] + p_3_1 * y_1_1s;                                             // l=3 m=-1
-  sum[13] = sum[13] + p_3_1 * y_1_1c;                                             // l=3 m=1
-  sum[19] = sum[19] + p_4_1 * y_2_1s;                                             // l=4 m=-1
-  sum[21] = sum[21] + p_4_1 * y_2_1c;                                             // l=4 m=1
+  sum[7] = sum[7] + y_2_1c;                                                             // l=2 m=1
+  sum[11] = sum[11] + p_3_1 * y_1_1s;                                                   // l=3 m=-1
+  sum[13] = sum[13] + p_3_1 * y_1_1c;                                                   // l=3 m=1
+  sum[19] = sum[19] + p_4_1 * y_2_1s;                                                   // l=4 m=-1
+  sum[21] = sum[21] + p_4_1 * y_2_1c;                                                   // l=4 m=1
 }
 
 }  // namespace sh

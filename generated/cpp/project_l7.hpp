@@ -7,15 +7,14 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis; any weight
 // Output:       sum (64): sum += weight Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
-// Cost:         131 multiplications, 97 additions; longest chain 15; at most 82 values live
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Cost:         136 multiplications, 117 additions; longest chain 12; at most 83 values live
 // Error:        eps counts units of machine epsilon x |weight| sqrt((2l+1)/(4 pi)) + |sum before|
-//               float   rounding  at most 4.2e-06 (31.8 eps)  largest seen 2.4e-06 (12.8 eps)
-//                       total                                 largest seen 2.1e-06 (10.6 eps)
-//               double  rounding  at most 8.3e-15 (33.5 eps)  largest seen 6.0e-15 (16.6 eps)
-//                       total                                 largest seen 8.8e-15 (13.6 eps)
+//               float   rounding  at most 2.1e-06 (15.0 eps)  largest seen 1.2e-06 (7.1 eps)
+//                       total                                 largest seen 1.3e-06 (7.2 eps)
+//               double  rounding  at most 3.7e-15 (14.6 eps)  largest seen 3.1e-15 (7.6 eps)
+//                       total                                 largest seen 3.5e-15 (7.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
@@ -60,194 +59,208 @@ namespace sh {
 
 template <class T>
 constexpr void project_l7(T x, T y, T z, T weight, T* sum) noexcept {
-  const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
-  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
-  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
-  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
-  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);     // 1/12 sqrt(210)
-  const T a_3_3  = detail::constant<T>(4.4212766f, 4.421276695971028);    // 2/3 sqrt(14) pi^(1/2)
-  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);    // 2/5 sqrt(35) pi^(1/2)
-  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);    // 1/5 sqrt(35) pi^(1/2)
-  const T k_5_5  = detail::constant<T>(1.0488088f, 1.0488088481701516);   // 1/10 sqrt(110)
-  const T k_6_6s = detail::constant<T>(3.9246376f, 3.9246375605398574);   // 1/35 sqrt(6006) pi^(1/2)
-  const T k_6_6c = detail::constant<T>(1.9623188f, 1.9623187802699287);   // 1/70 sqrt(6006) pi^(1/2)
-  const T k_7_7  = detail::constant<T>(1.0350983f, 1.0350983390135313);   // 1/14 sqrt(210)
-  const T k_7_6  = detail::constant<T>(3.8729835f, 3.872983346207417);    // sqrt(15)
-  const T k_6_5  = detail::constant<T>(3.6055512f, 3.605551275463989);    // sqrt(13)
-  const T a_7_5  = detail::constant<T>(10.277402f, 10.277402395547233);   // 13/4 sqrt(10)
-  const T b_7_5  = detail::constant<T>(0.7905694f, 0.7905694150420949);   // 1/4 sqrt(10)
-  const T k_5_4  = detail::constant<T>(3.3166249f, 3.3166247903554);      // sqrt(11)
-  const T a_6_4  = detail::constant<T>(8.868484f, 8.868483523128404);     // 11/10 sqrt(65)
-  const T b_6_4  = detail::constant<T>(0.8062258f, 0.8062257748298549);   // 1/10 sqrt(65)
-  const T a_7_4  = detail::constant<T>(6.5f, 6.5);                        // 13/2
-  const T b_7_4  = detail::constant<T>(1.5f, 1.5);                        // 3/2
-  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                        // 3
-  const T a_5_3  = detail::constant<T>(7.4624057f, 7.46240577829965);     // 9/4 sqrt(11)
-  const T b_5_3  = detail::constant<T>(0.8291562f, 0.82915619758885);     // 1/4 sqrt(11)
-  const T a_6_3  = detail::constant<T>(5.7245817f, 5.724581498531865);    // 11/12 sqrt(39)
-  const T b_6_3  = detail::constant<T>(1.5612495f, 1.5612494995995996);   // 1/4 sqrt(39)
-  const T a_7_3  = detail::constant<T>(0.8974817f, 0.897481683813695);    // 33/52 sqrt(2)
-  const T b_7_3  = detail::constant<T>(1.2238387f, 1.2238386597459476);   // 45/52 sqrt(2)
-  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);   // sqrt(7)
-  const T a_4_2  = detail::constant<T>(6.0621777f, 6.06217782649107);     // 7/2 sqrt(3)
-  const T b_4_2  = detail::constant<T>(0.8660254f, 0.8660254037844386);   // 1/2 sqrt(3)
-  const T a_5_2  = detail::constant<T>(4.974937f, 4.9749371855331);       // 3/2 sqrt(11)
-  const T b_5_2  = detail::constant<T>(1.6583124f, 1.6583123951777);      // 1/2 sqrt(11)
-  const T a_6_2  = detail::constant<T>(0.8490674f, 0.8490673990845341);   // 9/143 sqrt(182)
-  const T b_6_2  = detail::constant<T>(1.2264307f, 1.2264306875665492);   // 1/11 sqrt(182)
-  const T a_7_2  = detail::constant<T>(0.7867958f, 0.7867957924694432);   // 1/21 sqrt(273)
-  const T b_7_2  = detail::constant<T>(0.9847319f, 0.9847319278346619);   // 4/33 sqrt(66)
-  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
-  const T a_3_1  = detail::constant<T>(4.6770716f, 4.677071733467427);    // 5/4 sqrt(14)
-  const T b_3_1  = detail::constant<T>(3.7416575f, 3.7416573867739413);   // sqrt(14)
-  const T a_4_1  = detail::constant<T>(4.2866073f, 4.286607049870562);    // 7/4 sqrt(6)
-  const T b_4_1  = detail::constant<T>(2.4494898f, 2.449489742783178);    // sqrt(6)
-  const T a_5_1  = detail::constant<T>(0.7865665f, 0.7865665062071158);   // 7/66 sqrt(55)
-  const T b_5_1  = detail::constant<T>(1.2360331f, 1.2360330811826106);   // 1/6 sqrt(55)
-  const T a_6_1  = detail::constant<T>(0.9039596f, 0.90395954397465);     // 1/35 sqrt(1001)
-  const T b_6_1  = detail::constant<T>(0.9952267f, 0.9952267030562386);   // 2/105 sqrt(2730)
-  const T a_7_1  = detail::constant<T>(4.506939f, 4.5069390943299865);    // 5/4 sqrt(13)
-  const T b_7_1  = detail::constant<T>(0.9971551f, 0.9971550440218321);   // 5/44 sqrt(77)
-  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
-  const T b_2_0  = detail::constant<T>(0.63078314f, 0.63078313050504);    // 1/2 sqrt(5/pi)
-  const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
-  const T b_3_0  = detail::constant<T>(1.5275252f, 1.5275252316519468);   // 1/3 sqrt(21)
-  const T a_4_0  = detail::constant<T>(0.20149627f, 0.2014962798384844);  // 5/14 sqrt(1/pi)
-  const T b_4_0  = detail::constant<T>(0.3626933f, 0.3626933037092719);   // 9/14 sqrt(1/pi)
-  const T b_5_0  = detail::constant<T>(1.002853f, 1.002853072844814);     // 4/35 sqrt(77)
-  const T b_6_0  = detail::constant<T>(1.001542f, 1.0015420209622192);    // 5/18 sqrt(13)
-  const T b_7_0  = detail::constant<T>(1.0009272f, 1.000927213921958);    // 6/77 sqrt(165)
-  const T a_5_0  = detail::constant<T>(1.9899749f, 1.98997487421324);     // 3/5 sqrt(11)
-  const T a_6_0  = detail::constant<T>(1.9930434f, 1.9930434571835662);   // 1/6 sqrt(143)
-  const T a_7_0  = detail::constant<T>(1.9948914f, 1.9948914348241344);   // 1/7 sqrt(195)
+  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);   // 1/2 sqrt(3/pi)
+  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);    // 1/2 sqrt(15/pi)
+  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);   // 1/4 sqrt(15/pi)
+  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);      // 1/12 sqrt(210)
+  const T a_3_3  = detail::constant<T>(2.4152296f, 2.41522945769824);      // 1/6 sqrt(210)
+  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);     // 2/5 sqrt(35) pi^(1/2)
+  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);     // 1/5 sqrt(35) pi^(1/2)
+  const T k_5_5  = detail::constant<T>(1.0488088f, 1.0488088481701516);    // 1/10 sqrt(110)
+  const T k_6_6s = detail::constant<T>(3.9246376f, 3.9246375605398574);    // 1/35 sqrt(6006) pi^(1/2)
+  const T k_6_6c = detail::constant<T>(1.9623188f, 1.9623187802699287);    // 1/70 sqrt(6006) pi^(1/2)
+  const T k_7_7  = detail::constant<T>(1.0350983f, 1.0350983390135313);    // 1/14 sqrt(210)
+  const T one    = detail::constant<T>(1.0f, 1.0);                         // 1
+  const T k_7_6  = detail::constant<T>(3.8729835f, 3.872983346207417);     // sqrt(15)
+  const T k_6_5  = detail::constant<T>(3.6055512f, 3.605551275463989);     // sqrt(13)
+  const T a_7_50 = detail::constant<T>(5.138701f, 5.138701197773616);      // 13/8 sqrt(10)
+  const T b_7_50 = detail::constant<T>(4.3481317f, 4.348131782731522);     // 11/8 sqrt(10)
+  const T k_5_4  = detail::constant<T>(3.3166249f, 3.3166247903554);       // sqrt(11)
+  const T a_6_40 = detail::constant<T>(4.434242f, 4.434241761564202);      // 11/20 sqrt(65)
+  const T b_6_40 = detail::constant<T>(3.628016f, 3.6280159867343476);     // 9/20 sqrt(65)
+  const T a_7_40 = detail::constant<T>(3.25f, 3.25);                       // 13/4
+  const T b_7_40 = detail::constant<T>(1.75f, 1.75);                       // 7/4
+  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                         // 3
+  const T a_5_30 = detail::constant<T>(3.7312028f, 3.731202889149825);     // 9/8 sqrt(11)
+  const T b_5_30 = detail::constant<T>(2.9020467f, 2.902046691560975);     // 7/8 sqrt(11)
+  const T a_6_30 = detail::constant<T>(2.8622909f, 2.8622907492659326);    // 11/24 sqrt(39)
+  const T b_6_30 = detail::constant<T>(1.3010412f, 1.301041249666333);     // 5/24 sqrt(39)
+  const T b_7_31 = detail::constant<T>(4.7398252f, 4.7398251426410765);    // 429/128 sqrt(2)
+  const T a_7_30 = detail::constant<T>(10.208854f, 10.20885415338078);     // 231/32 sqrt(2)
+  const T b_7_30 = detail::constant<T>(6.264524f, 6.264524139574569);      // 567/128 sqrt(2)
+  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);    // sqrt(7)
+  const T a_4_20 = detail::constant<T>(3.0310888f, 3.031088913245535);     // 7/4 sqrt(3)
+  const T b_4_20 = detail::constant<T>(2.1650636f, 2.165063509461097);     // 5/4 sqrt(3)
+  const T a_5_20 = detail::constant<T>(2.4874685f, 2.48746859276655);      // 3/4 sqrt(11)
+  const T b_5_20 = detail::constant<T>(0.8291562f, 0.82915619758885);      // 1/4 sqrt(11)
+  const T b_6_21 = detail::constant<T>(3.4780807f, 3.4780807780207605);    // 33/128 sqrt(182)
+  const T a_6_20 = detail::constant<T>(6.3237834f, 6.323783232765019);     // 15/32 sqrt(182)
+  const T b_6_20 = detail::constant<T>(3.6888735f, 3.6888735524462613);    // 35/128 sqrt(182)
+  const T b_7_21 = detail::constant<T>(2.7365394f, 2.736539322015582);     // 143/128 sqrt(6)
+  const T a_7_20 = detail::constant<T>(2.5260363f, 2.5260362972451524);    // 33/32 sqrt(6)
+  const T b_7_20 = detail::constant<T>(2.0858936f, 2.0858936090888003);    // 109/128 sqrt(6)
+  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);       // sqrt(5)
+  const T a_3_10 = detail::constant<T>(2.3385358f, 2.3385358667337135);    // 5/8 sqrt(14)
+  const T b_3_10 = detail::constant<T>(1.4031215f, 1.403121520040228);     // 3/8 sqrt(14)
+  const T a_4_10 = detail::constant<T>(2.1433036f, 2.143303524935281);     // 7/8 sqrt(6)
+  const T b_4_10 = detail::constant<T>(0.30618623f, 0.30618621784789724);  // 1/8 sqrt(6)
+  const T b_5_11 = detail::constant<T>(2.4334402f, 2.4334401285782645);    // 21/64 sqrt(55)
+  const T a_5_10 = detail::constant<T>(3.244587f, 3.2445868381043526);     // 7/16 sqrt(55)
+  const T b_5_10 = detail::constant<T>(1.7381716f, 1.738171520413046);     // 15/64 sqrt(55)
+  const T b_6_11 = detail::constant<T>(2.1997313f, 2.1997314289192214);    // 33/320 sqrt(455)
+  const T a_6_10 = detail::constant<T>(0.7999023f, 0.7999023377888078);    // 3/80 sqrt(455)
+  const T b_6_10 = detail::constant<T>(1.266512f, 1.2665120348322791);     // 19/320 sqrt(455)
+  const T a_7_11 = detail::constant<T>(4.957028f, 4.957027787011202);      // 429/512 sqrt(35)
+  const T b_7_11 = detail::constant<T>(3.4317884f, 3.431788467930832);     // 297/512 sqrt(35)
+  const T a_7_10 = detail::constant<T>(1.4212457f, 1.4212457291430718);    // 123/512 sqrt(35)
+  const T b_7_10 = detail::constant<T>(2.0220976f, 2.0220975821141267);    // 175/512 sqrt(35)
+  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);   // 1/2 sqrt(1/pi)
+  const T a_2_00 = detail::constant<T>(0.47308734f, 0.47308734787878);     // 3/8 sqrt(5/pi)
+  const T b_2_00 = detail::constant<T>(0.15769579f, 0.15769578262626);     // 1/8 sqrt(5/pi)
+  const T a_3_00 = detail::constant<T>(1.9094065f, 1.9094065395649333);    // 5/12 sqrt(21)
+  const T b_3_00 = detail::constant<T>(0.3818813f, 0.3818813079129867);    // 1/12 sqrt(21)
+  const T b_4_01 = detail::constant<T>(0.46281177f, 0.46281176775401883);  // 105/128 sqrt(1/pi)
+  const T a_4_00 = detail::constant<T>(0.26446387f, 0.26446386728801075);  // 15/32 sqrt(1/pi)
+  const T b_4_00 = detail::constant<T>(0.11900874f, 0.11900874027960484);  // 27/128 sqrt(1/pi)
+  const T b_5_01 = detail::constant<T>(1.8849347f, 1.8849346183952906);    // 21/64 sqrt(33)
+  const T a_5_00 = detail::constant<T>(0.8377487f, 0.8377487192867958);    // 7/48 sqrt(33)
+  const T b_5_00 = detail::constant<T>(0.86766833f, 0.8676683164041814);   // 29/192 sqrt(33)
+  const T a_6_01 = detail::constant<T>(0.91778034f, 0.9177803577388854);   // 231/512 sqrt(13/pi)
+  const T b_6_01 = detail::constant<T>(0.25030375f, 0.2503037339287869);   // 63/512 sqrt(13/pi)
+  const T b_6_00 = detail::constant<T>(0.09932688f, 0.09932687854316942);  // 25/512 sqrt(13/pi)
+  const T a_7_01 = detail::constant<T>(3.7471607f, 3.7471607904195694);    // 429/256 sqrt(5)
+  const T b_7_01 = detail::constant<T>(0.8647294f, 0.8647294131737467);    // 99/256 sqrt(5)
+  const T a_7_00 = detail::constant<T>(0.18342745f, 0.18342745127927962);  // 21/256 sqrt(5)
+  const T b_7_00 = detail::constant<T>(0.46293595f, 0.46293594846675334);  // 53/256 sqrt(5)
 
+  const T x2 = x * x;
+  const T y2 = y * y;
+  const T xy2 = x2 + y2;
+  const T t = x2 - y2;
   const T z2 = z * z;
-  const T xy2 = one - z2;
-  const T t = k_2_2s * x;
-  const T y_2_2s = t * y;
-  const T y_2_2c = t * x - k_2_2c * xy2;
-  const T t_2 = b_3_3 * xy2;
-  const T t_3 = a_3_3 * y_2_2c;
-  const T t_4 = t_3 - t_2;
-  const T t_5 = t_3 + t_2;
-  const T y_3_3c = k_1_1 * x * t_4;
-  const T y_3_3s = k_1_1 * y * t_5;
+  const T y_2_2s = k_2_2s * x * y;
+  const T y_2_2c = k_2_2c * t;
+  const T t_2 = a_3_3 * t;
+  const T t_3 = b_3_3 * xy2;
+  const T u = z2 - xy2;
+  const T t_4 = z2 + z2 - one;
+  const T t_5 = t_2 - t_3;
+  const T t_6 = t_2 + t_3;
+  const T y_3_3c = k_1_1 * x * t_5;
+  const T y_3_3s = k_1_1 * y * t_6;
   const T y_4_4s = weight * (k_4_4s * y_2_2c * y_2_2s);
-  sum[16] = sum[16] + y_4_4s;                               // l=4 m=-4
+  sum[16] = sum[16] + y_4_4s;                                                           // l=4 m=-4
   const T y_2_2c_2 = weight * y_2_2c;
-  sum[8] = sum[8] + y_2_2c_2;                               // l=2 m=2
+  sum[8] = sum[8] + y_2_2c_2;                                                           // l=2 m=2
   const T y_2_2s_2 = weight * y_2_2s;
-  sum[4] = sum[4] + y_2_2s_2;                               // l=2 m=-2
+  sum[4] = sum[4] + y_2_2s_2;                                                           // l=2 m=-2
   const T y_4_4c = weight * (k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s));
-  sum[24] = sum[24] + y_4_4c;                               // l=4 m=4
-  const T t_6 = k_5_5 * x;
-  const T t_7 = k_5_5 * y;
+  sum[24] = sum[24] + y_4_4c;                                                           // l=4 m=4
+  const T t_7 = k_5_5 * x;
+  const T t_8 = k_5_5 * y;
   const T y_6_6s = weight * (k_6_6s * y_3_3c * y_3_3s);
-  sum[36] = sum[36] + y_6_6s;                               // l=6 m=-6
+  sum[36] = sum[36] + y_6_6s;                                                           // l=6 m=-6
   const T y_6_6c = weight * (k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s));
-  sum[48] = sum[48] + y_6_6c;                               // l=6 m=6
-  const T t_8 = k_7_7 * x;
-  const T t_9 = k_7_7 * y;
-  const T t_10 = k_1_1 * weight;
-  const T y_1_1c = t_10 * x;
-  const T y_1_1s = t_10 * y;
-  sum[1] = sum[1] + y_1_1s;                                 // l=1 m=-1
-  sum[3] = sum[3] + y_1_1c;                                 // l=1 m=1
-  const T y_3_3c_2 = y_1_1c * t_4;
-  sum[15] = sum[15] + y_3_3c_2;                             // l=3 m=3
-  const T y_3_3s_2 = y_1_1s * t_5;
-  sum[9] = sum[9] + y_3_3s_2;                               // l=3 m=-3
-  const T y_5_5c = t_6 * y_4_4c - t_7 * y_4_4s;
-  sum[35] = sum[35] + y_5_5c;                               // l=5 m=5
-  const T y_5_5s = t_6 * y_4_4s + t_7 * y_4_4c;
-  sum[25] = sum[25] + y_5_5s;                               // l=5 m=-5
-  sum[63] = sum[63] + (t_8 * y_6_6c - t_9 * y_6_6s);        // l=7 m=7
-  sum[49] = sum[49] + (t_8 * y_6_6s + t_9 * y_6_6c);        // l=7 m=-7
+  sum[48] = sum[48] + y_6_6c;                                                           // l=6 m=6
+  const T t_9 = k_7_7 * x;
+  const T t_10 = k_7_7 * y;
+  const T t_11 = k_1_1 * weight;
+  const T y_1_1c = t_11 * x;
+  const T y_1_1s = t_11 * y;
+  sum[1] = sum[1] + y_1_1s;                                                             // l=1 m=-1
+  sum[3] = sum[3] + y_1_1c;                                                             // l=1 m=1
+  const T y_3_3c_2 = y_1_1c * t_5;
+  sum[15] = sum[15] + y_3_3c_2;                                                         // l=3 m=3
+  const T y_3_3s_2 = y_1_1s * t_6;
+  sum[9] = sum[9] + y_3_3s_2;                                                           // l=3 m=-3
+  const T y_5_5c = t_7 * y_4_4c - t_8 * y_4_4s;
+  sum[35] = sum[35] + y_5_5c;                                                           // l=5 m=5
+  const T y_5_5s = t_7 * y_4_4s + t_8 * y_4_4c;
+  sum[25] = sum[25] + y_5_5s;                                                           // l=5 m=-5
+  sum[63] = sum[63] + (t_9 * y_6_6c - t_10 * y_6_6s);                                   // l=7 m=7
+  sum[49] = sum[49] + (t_9 * y_6_6s + t_10 * y_6_6c);                                   // l=7 m=-7
+  const T t_12 = (u + u) * u - one;
+  const T t_13 = (t_4 + t_4) * t_4 - one;
   const T t_7_6 = k_7_6 * z;
-  sum[50] = sum[50] + t_7_6 * y_6_6s;                       // l=7 m=-6
-  sum[62] = sum[62] + t_7_6 * y_6_6c;                       // l=7 m=6
+  sum[50] = sum[50] + t_7_6 * y_6_6s;                                                   // l=7 m=-6
+  sum[62] = sum[62] + t_7_6 * y_6_6c;                                                   // l=7 m=6
   const T t_6_5 = k_6_5 * z;
-  const T p_7_5 = a_7_5 * z2 - b_7_5;
+  const T p_7_5 = a_7_50 * t_4 + b_7_50;
   const T t_5_4 = k_5_4 * z;
-  const T p_6_4 = a_6_4 * z2 - b_6_4;
-  const T p_7_4 = a_7_4 * z2 - b_7_4;
+  const T p_6_4 = a_6_40 * t_4 + b_6_40;
+  const T p_7_4 = a_7_40 * t_4 + b_7_40;
   const T t_4_3 = k_4_3 * z;
-  const T p_5_3 = a_5_3 * z2 - b_5_3;
-  const T p_6_3 = a_6_3 * z2 - b_6_3;
-  const T p_7_3 = a_7_3 * p_7_4 * p_7_4 - b_7_3;
+  const T p_5_3 = a_5_30 * t_4 + b_5_30;
+  const T p_6_3 = a_6_30 * t_4 + b_6_30;
+  const T p_7_3 = b_7_31 * t_13 + (a_7_30 * t_4 + b_7_30);
   const T t_3_2 = k_3_2 * z;
-  const T p_4_2 = a_4_2 * z2 - b_4_2;
-  const T p_5_2 = a_5_2 * z2 - b_5_2;
-  const T p_6_2 = a_6_2 * p_6_3 * p_6_3 - b_6_2;
-  const T p_7_2 = a_7_2 * p_6_2 - b_7_2 * p_5_2;
+  const T p_4_2 = a_4_20 * t_4 + b_4_20;
+  const T p_5_2 = a_5_20 * t_4 + b_5_20;
+  const T p_6_2 = b_6_21 * t_13 + (a_6_20 * t_4 + b_6_20);
+  const T p_7_2 = b_7_21 * t_13 + (a_7_20 * t_4 + b_7_20);
   const T t_2_1 = k_2_1 * z;
-  const T p_3_1 = b_3_1 - a_3_1 * xy2;
-  const T p_4_1 = b_4_1 - a_4_1 * xy2;
-  const T p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
-  const T p_6_1 = a_6_1 * p_5_1 - b_6_1 * p_4_1;
-  const T p_7_1 = a_7_1 * z2 * p_6_1 - b_7_1 * p_5_1;
   const T y_1_0 = k_1_1 * z * weight;
-  sum[2] = sum[2] + y_1_0;                                  // l=1 m=0
-  const T y_3_0 = (b_3_0 - a_3_0 * xy2) * y_1_0;
-  sum[12] = sum[12] + y_3_0;                                // l=3 m=0
-  sum[6] = sum[6] + (b_2_0 - a_2_0 * xy2) * weight;         // l=2 m=0
-  const T y_4_0 = (a_4_0 * p_4_1 * p_4_1 - b_4_0) * weight;
-  sum[20] = sum[20] + y_4_0;                                // l=4 m=0
-  sum[0] = sum[0] + k_0_0 * weight;                         // l=0 m=0
-  sum[37] = sum[37] + t_6_5 * y_5_5s;                       // l=6 m=-5
-  sum[47] = sum[47] + t_6_5 * y_5_5c;                       // l=6 m=5
-  sum[51] = sum[51] + p_7_5 * y_5_5s;                       // l=7 m=-5
-  sum[61] = sum[61] + p_7_5 * y_5_5c;                       // l=7 m=5
+  sum[2] = sum[2] + y_1_0;                                                              // l=1 m=0
+  const T p_3_1 = a_3_10 * t_4 + b_3_10;
+  const T p_4_1 = a_4_10 * t_4 + b_4_10;
+  const T p_5_1 = b_5_11 * t_13 + (a_5_10 * t_4 + b_5_10);
+  const T p_6_1 = b_6_11 * t_13 + (a_6_10 * t_4 + b_6_10);
+  const T p_7_1 = (a_7_11 * t_4 + b_7_11) * t_13 + (a_7_10 * t_4 + b_7_10);
+  sum[6] = sum[6] + (a_2_00 * u + b_2_00) * weight;                                     // l=2 m=0
+  sum[12] = sum[12] + (a_3_00 * u - b_3_00) * y_1_0;                                    // l=3 m=0
+  sum[20] = sum[20] + (b_4_01 * t_12 + (a_4_00 * u + b_4_00)) * weight;                 // l=4 m=0
+  sum[30] = sum[30] + (b_5_01 * t_12 + (b_5_00 - a_5_00 * u)) * y_1_0;                  // l=5 m=0
+  sum[42] = sum[42] + ((a_6_01 * u + b_6_01) * t_12 + (b_6_00 - b_6_01 * u)) * weight;  // l=6 m=0
+  sum[0] = sum[0] + k_0_0 * weight;                                                     // l=0 m=0
+  sum[56] = sum[56] + ((a_7_01 * u - b_7_01) * t_12 - (a_7_00 * u + b_7_00)) * y_1_0;   // l=7 m=0
+  sum[37] = sum[37] + t_6_5 * y_5_5s;                                                   // l=6 m=-5
+  sum[47] = sum[47] + t_6_5 * y_5_5c;                                                   // l=6 m=5
+  sum[51] = sum[51] + p_7_5 * y_5_5s;                                                   // l=7 m=-5
+  sum[61] = sum[61] + p_7_5 * y_5_5c;                                                   // l=7 m=5
   const T y_5_4s = t_5_4 * y_4_4s;
-  sum[26] = sum[26] + y_5_4s;                               // l=5 m=-4
+  sum[26] = sum[26] + y_5_4s;                                                           // l=5 m=-4
   const T y_5_4c = t_5_4 * y_4_4c;
-  sum[34] = sum[34] + y_5_4c;                               // l=5 m=4
-  sum[38] = sum[38] + p_6_4 * y_4_4s;                       // l=6 m=-4
-  sum[46] = sum[46] + p_6_4 * y_4_4c;                       // l=6 m=4
-  sum[52] = sum[52] + p_7_4 * y_5_4s;                       // l=7 m=-4
-  sum[60] = sum[60] + p_7_4 * y_5_4c;                       // l=7 m=4
+  sum[34] = sum[34] + y_5_4c;                                                           // l=5 m=4
+  sum[38] = sum[38] + p_6_4 * y_4_4s;                                                   // l=6 m=-4
+  sum[46] = sum[46] + p_6_4 * y_4_4c;                                                   // l=6 m=4
+  sum[52] = sum[52] + p_7_4 * y_5_4s;                                                   // l=7 m=-4
+  sum[60] = sum[60] + p_7_4 * y_5_4c;                                                   // l=7 m=4
   const T y_4_3s = t_4_3 * y_3_3s_2;
-  sum[17] = sum[17] + y_4_3s;                               // l=4 m=-3
+  sum[17] = sum[17] + y_4_3s;                                                           // l=4 m=-3
   const T y_4_3c = t_4_3 * y_3_3c_2;
-  sum[23] = sum[23] + y_4_3c;                               // l=4 m=3
-  sum[39] = sum[39] + p_6_3 * y_4_3s;                       // l=6 m=-3
-  sum[45] = sum[45] + p_6_3 * y_4_3c;                       // l=6 m=3
-  sum[27] = sum[27] + p_5_3 * y_3_3s_2;                     // l=5 m=-3
-  sum[33] = sum[33] + p_5_3 * y_3_3c_2;                     // l=5 m=3
-  sum[53] = sum[53] + p_7_3 * y_3_3s_2;                     // l=7 m=-3
-  sum[59] = sum[59] + p_7_3 * y_3_3c_2;                     // l=7 m=3
+  sum[23] = sum[23] + y_4_3c;                                                           // l=4 m=3
+  sum[39] = sum[39] + p_6_3 * y_4_3s;                                                   // l=6 m=-3
+  sum[45] = sum[45] + p_6_3 * y_4_3c;                                                   // l=6 m=3
+  sum[27] = sum[27] + p_5_3 * y_3_3s_2;                                                 // l=5 m=-3
+  sum[33] = sum[33] + p_5_3 * y_3_3c_2;                                                 // l=5 m=3
+  sum[53] = sum[53] + p_7_3 * y_3_3s_2;                                                 // l=7 m=-3
+  sum[59] = sum[59] + p_7_3 * y_3_3c_2;                                                 // l=7 m=3
   const T y_3_2s = t_3_2 * y_2_2s_2;
-  sum[10] = sum[10] + y_3_2s;                               // l=3 m=-2
+  sum[10] = sum[10] + y_3_2s;                                                           // l=3 m=-2
   const T y_3_2c = t_3_2 * y_2_2c_2;
-  sum[14] = sum[14] + y_3_2c;                               // l=3 m=2
-  sum[18] = sum[18] + p_4_2 * y_2_2s_2;                     // l=4 m=-2
-  sum[22] = sum[22] + p_4_2 * y_2_2c_2;                     // l=4 m=2
-  sum[40] = sum[40] + p_6_2 * y_2_2s_2;                     // l=6 m=-2
-  sum[44] = sum[44] + p_6_2 * y_2_2c_2;                     // l=6 m=2
-  sum[28] = sum[28] + p_5_2 * y_3_2s;                       // l=5 m=-2
-  sum[32] = sum[32] + p_5_2 * y_3_2c;                       // l=5 m=2
-  sum[54] = sum[54] + p_7_2 * y_3_2s;                       // l=7 m=-2
-  sum[58] = sum[58] + p_7_2 * y_3_2c;                       // l=7 m=2
+  sum[14] = sum[14] + y_3_2c;                                                           // l=3 m=2
+  sum[18] = sum[18] + p_4_2 * y_2_2s_2;                                                 // l=4 m=-2
+  sum[22] = sum[22] + p_4_2 * y_2_2c_2;                                                 // l=4 m=2
+  sum[40] = sum[40] + p_6_2 * y_2_2s_2;                                                 // l=6 m=-2
+  sum[44] = sum[44] + p_6_2 * y_2_2c_2;                                                 // l=6 m=2
+  sum[28] = sum[28] + p_5_2 * y_3_2s;                                                   // l=5 m=-2
+  sum[32] = sum[32] + p_5_2 * y_3_2c;                                                   // l=5 m=2
+  sum[54] = sum[54] + p_7_2 * y_3_2s;                                                   // l=7 m=-2
+  sum[58] = sum[58] + p_7_2 * y_3_2c;                                                   // l=7 m=2
   const T y_2_1s = t_2_1 * y_1_1s;
-  sum[5] = sum[5] + y_2_1s;                                 // l=2 m=-1
+  sum[5] = sum[5] + y_2_1s;                                                             // l=2 m=-1
   const T y_2_1c = t_2_1 * y_1_1c;
-  sum[7] = sum[7] + y_2_1c;                                 // l=2 m=1
-  sum[11] = sum[11] + p_3_1 * y_1_1s;                       // l=3 m=-1
-  sum[13] = sum[13] + p_3_1 * y_1_1c;                       // l=3 m=1
-  sum[19] = sum[19] + p_4_1 * y_2_1s;                       // l=4 m=-1
-  sum[21] = sum[21] + p_4_1 * y_2_1c;                       // l=4 m=1
-  sum[41] = sum[41] + p_6_1 * y_2_1s;                       // l=6 m=-1
-  sum[43] = sum[43] + p_6_1 * y_2_1c;                       // l=6 m=1
-  sum[29] = sum[29] + p_5_1 * y_1_1s;                       // l=5 m=-1
-  sum[31] = sum[31] + p_5_1 * y_1_1c;                       // l=5 m=1
-  sum[55] = sum[55] + p_7_1 * y_1_1s;                       // l=7 m=-1
-  sum[57] = sum[57] + p_7_1 * y_1_1c;                       // l=7 m=1
-  const T p_5_0 = a_5_0 * z * y_4_0 - b_5_0 * y_3_0;
-  sum[30] = sum[30] + p_5_0;                                // l=5 m=0
-  const T p_6_0 = a_6_0 * z * p_5_0 - b_6_0 * y_4_0;
-  sum[42] = sum[42] + p_6_0;                                // l=6 m=0
-  sum[56] = sum[56] + (a_7_0 * z * p_6_0 - b_7_0 * p_5_0);  // l=7 m=0
+  sum[7] = sum[7] + y_2_1c;                                                             // l=2 m=1
+  sum[11] = sum[11] + p_3_1 * y_1_1s;                                                   // l=3 m=-1
+  sum[13] = sum[13] + p_3_1 * y_1_1c;                                                   // l=3 m=1
+  sum[19] = sum[19] + p_4_1 * y_2_1s;                                                   // l=4 m=-1
+  sum[21] = sum[21] + p_4_1 * y_2_1c;                                                   // l=4 m=1
+  sum[41] = sum[41] + p_6_1 * y_2_1s;                                                   // l=6 m=-1
+  sum[43] = sum[43] + p_6_1 * y_2_1c;                                                   // l=6 m=1
+  sum[29] = sum[29] + p_5_1 * y_1_1s;                                                   // l=5 m=-1
+  sum[31] = sum[31] + p_5_1 * y_1_1c;                                                   // l=5 m=1
+  sum[55] = sum[55] + p_7_1 * y_1_1s;                                                   // l=7 m=-1
+  sum[57] = sum[57] + p_7_1 * y_1_1c;                                                   // l=7 m=1
 }
 
 }  // namespace sh

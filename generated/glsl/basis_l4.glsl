@@ -6,97 +6,101 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       result (25): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
-// Cost:         39 multiplications, 12 additions; longest chain 8; at most 10 values live
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Cost:         41 multiplications, 18 additions; longest chain 8; at most 11 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 6.7e-07 (7.6 eps)  largest seen 4.7e-07 (5.2 eps)
-//                       total                                largest seen 5.3e-07 (5.9 eps)
-//               double  rounding  at most 1.4e-15 (8.0 eps)  largest seen 1.0e-15 (5.7 eps)
-//                       total                                largest seen 1.5e-15 (7.8 eps)
+//               float   rounding  at most 4.3e-07 (4.2 eps)  largest seen 2.6e-07 (2.6 eps)
+//                       total                                largest seen 2.9e-07 (2.9 eps)
+//               double  rounding  at most 8.0e-16 (4.3 eps)  largest seen 4.7e-16 (2.5 eps)
+//                       total                                largest seen 7.2e-16 (3.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
 //               or without contraction
 //               total:    against the exact function at the input scaled to length 1
 //               seen:     among 1110 directions (random, axes, poles, near poles) and 262144 evaluations of a search,
 //               without contraction
-//               worst:    float x, y, z = 0.999336, -0.014471989, -0.03343791
-//                         double x, y, z = -0.9999876739326768, 9.62442778468549e-07, 0.0049650762117093355
+//               worst:    float x, y, z = 0.8532054, 0.0032800362, -0.5215648
+//                         double x, y, z = 2.469928990109269e-07, 0.9999997480890941, 0.0007098039782018623
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;
 #endif
 
 void basis_l4(float x, float y, float z, out float result[25]) {
-    const float one    = 1.0;         // 1
     const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
     const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
     const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
     const float b_3_3  = 1.2076148;   // 1/12 sqrt(210)
-    const float a_3_3  = 4.4212766;   // 2/3 sqrt(14) pi^(1/2)
+    const float a_3_3  = 2.4152296;   // 1/6 sqrt(210)
     const float k_4_4s = 4.1943913;   // 2/5 sqrt(35) pi^(1/2)
     const float k_4_4c = 2.0971956;   // 1/5 sqrt(35) pi^(1/2)
+    const float one    = 1.0;         // 1
     const float k_4_3  = 3.0;         // 3
     const float k_3_2  = 2.6457512;   // sqrt(7)
-    const float a_4_2  = 6.0621777;   // 7/2 sqrt(3)
-    const float b_4_2  = 0.8660254;   // 1/2 sqrt(3)
+    const float a_4_20 = 3.0310888;   // 7/4 sqrt(3)
+    const float b_4_20 = 2.1650636;   // 5/4 sqrt(3)
     const float k_2_1  = 2.236068;    // sqrt(5)
-    const float a_3_1  = 4.6770716;   // 5/4 sqrt(14)
-    const float b_3_1  = 3.7416575;   // sqrt(14)
-    const float a_4_1  = 4.2866073;   // 7/4 sqrt(6)
-    const float b_4_1  = 2.4494898;   // sqrt(6)
+    const float a_3_10 = 2.3385358;   // 5/8 sqrt(14)
+    const float b_3_10 = 1.4031215;   // 3/8 sqrt(14)
+    const float a_4_10 = 2.1433036;   // 7/8 sqrt(6)
+    const float b_4_10 = 0.30618623;  // 1/8 sqrt(6)
     const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
-    const float b_2_0  = 0.63078314;  // 1/2 sqrt(5/pi)
-    const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
-    const float b_3_0  = 1.5275252;   // 1/3 sqrt(21)
-    const float a_4_0  = 0.20149627;  // 5/14 sqrt(1/pi)
-    const float b_4_0  = 0.3626933;   // 9/14 sqrt(1/pi)
+    const float a_2_00 = 0.47308734;  // 3/8 sqrt(5/pi)
+    const float b_2_00 = 0.15769579;  // 1/8 sqrt(5/pi)
+    const float a_3_00 = 1.9094065;   // 5/12 sqrt(21)
+    const float b_3_00 = 0.3818813;   // 1/12 sqrt(21)
+    const float b_4_01 = 0.46281177;  // 105/128 sqrt(1/pi)
+    const float a_4_00 = 0.26446387;  // 15/32 sqrt(1/pi)
+    const float b_4_00 = 0.11900874;  // 27/128 sqrt(1/pi)
 
-    result[0] = k_0_0;                                            // l=0 m=0
+    result[0] = k_0_0;                                                  // l=0 m=0
+    float x2 = x * x;
+    float y2 = y * y;
+    float xy2 = x2 + y2;
+    float t = x2 - y2;
     float z2 = z * z;
-    float xy2 = one - z2;
-    float p_4_2 = a_4_2 * z2 - b_4_2;
     float y_1_1c = k_1_1 * x;
-    result[3] = y_1_1c;                                           // l=1 m=1
+    result[3] = y_1_1c;                                                 // l=1 m=1
+    float y_2_2s = k_2_2s * x * y;
+    result[4] = y_2_2s;                                                 // l=2 m=-2
     float y_1_1s = k_1_1 * y;
-    result[1] = y_1_1s;                                           // l=1 m=-1
-    float t = k_2_2s * x;
-    float y_2_2s = t * y;
-    result[4] = y_2_2s;                                           // l=2 m=-2
-    result[18] = p_4_2 * y_2_2s;                                  // l=4 m=-2
-    float y_2_2c = t * x - k_2_2c * xy2;
-    result[8] = y_2_2c;                                           // l=2 m=2
-    result[22] = p_4_2 * y_2_2c;                                  // l=4 m=2
-    float t_2 = b_3_3 * xy2;
-    float t_3 = a_3_3 * y_2_2c;
-    float y_3_3c = y_1_1c * (t_3 - t_2);
-    result[15] = y_3_3c;                                          // l=3 m=3
-    float y_3_3s = y_1_1s * (t_3 + t_2);
-    result[9] = y_3_3s;                                           // l=3 m=-3
-    result[16] = k_4_4s * y_2_2c * y_2_2s;                        // l=4 m=-4
-    result[24] = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);  // l=4 m=4
+    result[1] = y_1_1s;                                                 // l=1 m=-1
+    float y_2_2c = k_2_2c * t;
+    result[8] = y_2_2c;                                                 // l=2 m=2
+    float t_2 = a_3_3 * t;
+    float t_3 = b_3_3 * xy2;
+    float u = z2 - xy2;
+    float t_4 = z2 + z2 - one;
+    float y_3_3c = y_1_1c * (t_2 - t_3);
+    result[15] = y_3_3c;                                                // l=3 m=3
+    float y_3_3s = y_1_1s * (t_2 + t_3);
+    result[9] = y_3_3s;                                                 // l=3 m=-3
+    result[16] = k_4_4s * y_2_2c * y_2_2s;                              // l=4 m=-4
+    result[24] = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);        // l=4 m=4
     float t_4_3 = k_4_3 * z;
-    result[17] = t_4_3 * y_3_3s;                                  // l=4 m=-3
-    result[23] = t_4_3 * y_3_3c;                                  // l=4 m=3
+    result[17] = t_4_3 * y_3_3s;                                        // l=4 m=-3
+    result[23] = t_4_3 * y_3_3c;                                        // l=4 m=3
     float t_3_2 = k_3_2 * z;
-    result[10] = t_3_2 * y_2_2s;                                  // l=3 m=-2
-    result[14] = t_3_2 * y_2_2c;                                  // l=3 m=2
+    result[10] = t_3_2 * y_2_2s;                                        // l=3 m=-2
+    result[14] = t_3_2 * y_2_2c;                                        // l=3 m=2
+    float p_4_2 = a_4_20 * t_4 + b_4_20;
+    result[18] = p_4_2 * y_2_2s;                                        // l=4 m=-2
+    result[22] = p_4_2 * y_2_2c;                                        // l=4 m=2
     float t_2_1 = k_2_1 * z;
     float t_1_0 = k_1_1 * z;
-    result[2] = t_1_0;                                            // l=1 m=0
-    float p_3_1 = b_3_1 - a_3_1 * xy2;
-    result[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
-    result[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
+    result[2] = t_1_0;                                                  // l=1 m=0
+    float p_3_1 = a_3_10 * t_4 + b_3_10;
+    float p_4_1 = a_4_10 * t_4 + b_4_10;
+    result[11] = p_3_1 * y_1_1s;                                        // l=3 m=-1
+    result[13] = p_3_1 * y_1_1c;                                        // l=3 m=1
     float y_2_1s = t_2_1 * y_1_1s;
-    result[5] = y_2_1s;                                           // l=2 m=-1
+    result[5] = y_2_1s;                                                 // l=2 m=-1
     float y_2_1c = t_2_1 * y_1_1c;
-    result[7] = y_2_1c;                                           // l=2 m=1
-    float p_4_1 = b_4_1 - a_4_1 * xy2;
-    result[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
-    result[21] = p_4_1 * y_2_1c;                                  // l=4 m=1
-    result[6] = b_2_0 - a_2_0 * xy2;                              // l=2 m=0
-    result[12] = (b_3_0 - a_3_0 * xy2) * t_1_0;                   // l=3 m=0
-    result[20] = a_4_0 * p_4_1 * p_4_1 - b_4_0;                   // l=4 m=0
+    result[7] = y_2_1c;                                                 // l=2 m=1
+    result[19] = p_4_1 * y_2_1s;                                        // l=4 m=-1
+    result[21] = p_4_1 * y_2_1c;                                        // l=4 m=1
+    result[6] = a_2_00 * u + b_2_00;                                    // l=2 m=0
+    result[12] = (a_3_00 * u - b_3_00) * t_1_0;                         // l=3 m=0
+    result[20] = b_4_01 * ((u + u) * u - one) + (a_4_00 * u + b_4_00);  // l=4 m=0
 }

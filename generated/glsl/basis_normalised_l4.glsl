@@ -6,20 +6,19 @@
 // Input:        x, y, z
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       result (25): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
-// Cost:         45 multiplications, 14 additions, 1 divisions, 1 square roots; longest chain 14; at most 10 values live
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Cost:         47 multiplications, 20 additions, 1 divisions, 1 square roots; longest chain 14; at most 11 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 27.3 eps  largest seen 1.4e-06 (13.9 eps)
-//               double  rounding  at most 27.8 eps  largest seen 3.1e-15 (16.4 eps)
+//               float   rounding  at most 16.1 eps  largest seen 7.6e-07 (7.5 eps)
+//               double  rounding  at most 15.9 eps  largest seen 1.5e-15 (7.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
 //               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = 0.09116146, -0.032768015, -17.190678
-//                         double x, y, z = 0.001026973600801329, 1.8639193647755664e-07, -16.024806147052
+//               worst:    float x, y, z = -0.0018916429, 0.00023927986, -0.003607766
+//                         double x, y, z = -3.0649448884920964e-05, 0.0004688934709886051, -0.0010247842379808101
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;
@@ -31,73 +30,78 @@ void basis_normalised_l4(float x, float y, float z, out float result[25]) {
     const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
     const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
     const float b_3_3  = 1.2076148;   // 1/12 sqrt(210)
-    const float a_3_3  = 4.4212766;   // 2/3 sqrt(14) pi^(1/2)
+    const float a_3_3  = 2.4152296;   // 1/6 sqrt(210)
     const float k_4_4s = 4.1943913;   // 2/5 sqrt(35) pi^(1/2)
     const float k_4_4c = 2.0971956;   // 1/5 sqrt(35) pi^(1/2)
     const float k_4_3  = 3.0;         // 3
     const float k_3_2  = 2.6457512;   // sqrt(7)
-    const float a_4_2  = 6.0621777;   // 7/2 sqrt(3)
-    const float b_4_2  = 0.8660254;   // 1/2 sqrt(3)
+    const float a_4_20 = 3.0310888;   // 7/4 sqrt(3)
+    const float b_4_20 = 2.1650636;   // 5/4 sqrt(3)
     const float k_2_1  = 2.236068;    // sqrt(5)
-    const float a_3_1  = 4.6770716;   // 5/4 sqrt(14)
-    const float b_3_1  = 3.7416575;   // sqrt(14)
-    const float a_4_1  = 4.2866073;   // 7/4 sqrt(6)
-    const float b_4_1  = 2.4494898;   // sqrt(6)
+    const float a_3_10 = 2.3385358;   // 5/8 sqrt(14)
+    const float b_3_10 = 1.4031215;   // 3/8 sqrt(14)
+    const float a_4_10 = 2.1433036;   // 7/8 sqrt(6)
+    const float b_4_10 = 0.30618623;  // 1/8 sqrt(6)
     const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
-    const float b_2_0  = 0.63078314;  // 1/2 sqrt(5/pi)
-    const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
-    const float b_3_0  = 1.5275252;   // 1/3 sqrt(21)
-    const float a_4_0  = 0.20149627;  // 5/14 sqrt(1/pi)
-    const float b_4_0  = 0.3626933;   // 9/14 sqrt(1/pi)
+    const float a_2_00 = 0.47308734;  // 3/8 sqrt(5/pi)
+    const float b_2_00 = 0.15769579;  // 1/8 sqrt(5/pi)
+    const float a_3_00 = 1.9094065;   // 5/12 sqrt(21)
+    const float b_3_00 = 0.3818813;   // 1/12 sqrt(21)
+    const float b_4_01 = 0.46281177;  // 105/128 sqrt(1/pi)
+    const float a_4_00 = 0.26446387;  // 15/32 sqrt(1/pi)
+    const float b_4_00 = 0.11900874;  // 27/128 sqrt(1/pi)
 
-    result[0] = k_0_0;                                            // l=0 m=0
+    result[0] = k_0_0;                                                  // l=0 m=0
     float inverse = one / sqrt(x * x + y * y + z * z);
     float nx = x * inverse;
     float ny = y * inverse;
     float nz = z * inverse;
+    float x2 = nx * nx;
+    float y2 = ny * ny;
+    float xy2 = x2 + y2;
+    float t = x2 - y2;
     float z2 = nz * nz;
-    float xy2 = one - z2;
-    float p_4_2 = a_4_2 * z2 - b_4_2;
     float y_1_1c = k_1_1 * nx;
-    result[3] = y_1_1c;                                           // l=1 m=1
+    result[3] = y_1_1c;                                                 // l=1 m=1
+    float y_2_2s = k_2_2s * nx * ny;
+    result[4] = y_2_2s;                                                 // l=2 m=-2
     float y_1_1s = k_1_1 * ny;
-    result[1] = y_1_1s;                                           // l=1 m=-1
-    float t = k_2_2s * nx;
-    float y_2_2s = t * ny;
-    result[4] = y_2_2s;                                           // l=2 m=-2
-    result[18] = p_4_2 * y_2_2s;                                  // l=4 m=-2
-    float y_2_2c = t * nx - k_2_2c * xy2;
-    result[8] = y_2_2c;                                           // l=2 m=2
-    result[22] = p_4_2 * y_2_2c;                                  // l=4 m=2
-    float t_2 = b_3_3 * xy2;
-    float t_3 = a_3_3 * y_2_2c;
-    float y_3_3c = y_1_1c * (t_3 - t_2);
-    result[15] = y_3_3c;                                          // l=3 m=3
-    float y_3_3s = y_1_1s * (t_3 + t_2);
-    result[9] = y_3_3s;                                           // l=3 m=-3
-    result[16] = k_4_4s * y_2_2c * y_2_2s;                        // l=4 m=-4
-    result[24] = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);  // l=4 m=4
+    result[1] = y_1_1s;                                                 // l=1 m=-1
+    float y_2_2c = k_2_2c * t;
+    result[8] = y_2_2c;                                                 // l=2 m=2
+    float t_2 = a_3_3 * t;
+    float t_3 = b_3_3 * xy2;
+    float u = z2 - xy2;
+    float t_4 = z2 + z2 - one;
+    float y_3_3c = y_1_1c * (t_2 - t_3);
+    result[15] = y_3_3c;                                                // l=3 m=3
+    float y_3_3s = y_1_1s * (t_2 + t_3);
+    result[9] = y_3_3s;                                                 // l=3 m=-3
+    result[16] = k_4_4s * y_2_2c * y_2_2s;                              // l=4 m=-4
+    result[24] = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);        // l=4 m=4
     float t_4_3 = k_4_3 * nz;
-    result[17] = t_4_3 * y_3_3s;                                  // l=4 m=-3
-    result[23] = t_4_3 * y_3_3c;                                  // l=4 m=3
+    result[17] = t_4_3 * y_3_3s;                                        // l=4 m=-3
+    result[23] = t_4_3 * y_3_3c;                                        // l=4 m=3
     float t_3_2 = k_3_2 * nz;
-    result[10] = t_3_2 * y_2_2s;                                  // l=3 m=-2
-    result[14] = t_3_2 * y_2_2c;                                  // l=3 m=2
+    result[10] = t_3_2 * y_2_2s;                                        // l=3 m=-2
+    result[14] = t_3_2 * y_2_2c;                                        // l=3 m=2
+    float p_4_2 = a_4_20 * t_4 + b_4_20;
+    result[18] = p_4_2 * y_2_2s;                                        // l=4 m=-2
+    result[22] = p_4_2 * y_2_2c;                                        // l=4 m=2
     float t_2_1 = k_2_1 * nz;
     float t_1_0 = k_1_1 * nz;
-    result[2] = t_1_0;                                            // l=1 m=0
-    float p_3_1 = b_3_1 - a_3_1 * xy2;
-    result[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
-    result[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
+    result[2] = t_1_0;                                                  // l=1 m=0
+    float p_3_1 = a_3_10 * t_4 + b_3_10;
+    float p_4_1 = a_4_10 * t_4 + b_4_10;
+    result[11] = p_3_1 * y_1_1s;                                        // l=3 m=-1
+    result[13] = p_3_1 * y_1_1c;                                        // l=3 m=1
     float y_2_1s = t_2_1 * y_1_1s;
-    result[5] = y_2_1s;                                           // l=2 m=-1
+    result[5] = y_2_1s;                                                 // l=2 m=-1
     float y_2_1c = t_2_1 * y_1_1c;
-    result[7] = y_2_1c;                                           // l=2 m=1
-    float p_4_1 = b_4_1 - a_4_1 * xy2;
-    result[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
-    result[21] = p_4_1 * y_2_1c;                                  // l=4 m=1
-    result[6] = b_2_0 - a_2_0 * xy2;                              // l=2 m=0
-    result[12] = (b_3_0 - a_3_0 * xy2) * t_1_0;                   // l=3 m=0
-    result[20] = a_4_0 * p_4_1 * p_4_1 - b_4_0;                   // l=4 m=0
+    result[7] = y_2_1c;                                                 // l=2 m=1
+    result[19] = p_4_1 * y_2_1s;                                        // l=4 m=-1
+    result[21] = p_4_1 * y_2_1c;                                        // l=4 m=1
+    result[6] = a_2_00 * u + b_2_00;                                    // l=2 m=0
+    result[12] = (a_3_00 * u - b_3_00) * t_1_0;                         // l=3 m=0
+    result[20] = b_4_01 * ((u + u) * u - one) + (a_4_00 * u + b_4_00);  // l=4 m=0
 }

@@ -6,21 +6,20 @@
 // Input:        x, y, z
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       result (81): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
-// Cost:         155 multiplications, 44 additions, 1 divisions, 1 square roots; longest chain 21; at most 19 values
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Cost:         161 multiplications, 73 additions, 1 divisions, 1 square roots; longest chain 17; at most 20 values
 //               live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 119.0 eps  largest seen 7.4e-06 (53.4 eps)
-//               double  rounding  at most 122.6 eps  largest seen 1.7e-14 (64.4 eps)
+//               float   rounding  at most 53.4 eps  largest seen 3.6e-06 (26.2 eps)
+//               double  rounding  at most 56.1 eps  largest seen 6.9e-15 (26.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
 //               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = 0.081995375, -0.03277191, -17.191584
-//                         double x, y, z = 0.09478566749268827, 0.00024149868610491123, -16.03882010998954
+//               worst:    float x, y, z = 0.0004378751, 0.0014725741, 0.06301683
+//                         double x, y, z = 8.933491956256396e-13, 5.890428102448184e-10, -1.907474868335419e-06
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;
@@ -32,7 +31,7 @@ void basis_normalised_l8(float x, float y, float z, out float result[81]) {
     const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
     const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
     const float b_3_3  = 1.2076148;   // 1/12 sqrt(210)
-    const float a_3_3  = 4.4212766;   // 2/3 sqrt(14) pi^(1/2)
+    const float a_3_3  = 2.4152296;   // 1/6 sqrt(210)
     const float k_4_4s = 4.1943913;   // 2/5 sqrt(35) pi^(1/2)
     const float k_4_4c = 2.0971956;   // 1/5 sqrt(35) pi^(1/2)
     const float k_5_5  = 1.0488088;   // 1/10 sqrt(110)
@@ -43,219 +42,240 @@ void basis_normalised_l8(float x, float y, float z, out float result[81]) {
     const float k_8_8c = 1.8610717;   // 1/105 sqrt(12155) pi^(1/2)
     const float k_8_7  = 4.1231055;   // sqrt(17)
     const float k_7_6  = 3.8729835;   // sqrt(15)
-    const float a_8_6  = 11.687906;   // 15/14 sqrt(119)
-    const float b_8_6  = 0.7791937;   // 1/14 sqrt(119)
+    const float a_8_60 = 5.843953;    // 15/28 sqrt(119)
+    const float b_8_60 = 5.0647593;   // 13/28 sqrt(119)
     const float k_6_5  = 3.6055512;   // sqrt(13)
-    const float a_7_5  = 10.277402;   // 13/4 sqrt(10)
-    const float b_7_5  = 0.7905694;   // 1/4 sqrt(10)
-    const float a_8_5  = 7.28869;     // 5/4 sqrt(34)
-    const float b_8_5  = 1.4577379;   // 1/4 sqrt(34)
+    const float a_7_50 = 5.138701;    // 13/8 sqrt(10)
+    const float b_7_50 = 4.3481317;   // 11/8 sqrt(10)
+    const float a_8_50 = 3.644345;    // 5/8 sqrt(34)
+    const float b_8_50 = 2.186607;    // 3/8 sqrt(34)
     const float k_5_4  = 3.3166249;   // sqrt(11)
-    const float a_6_4  = 8.868484;    // 11/10 sqrt(65)
-    const float b_6_4  = 0.8062258;   // 1/10 sqrt(65)
-    const float a_7_4  = 6.5;         // 13/2
-    const float b_7_4  = 1.5;         // 3/2
-    const float a_8_4  = 0.93532;     // 13/425 sqrt(935)
-    const float b_8_4  = 1.2231108;   // 1/25 sqrt(935)
+    const float a_6_40 = 4.434242;    // 11/20 sqrt(65)
+    const float b_6_40 = 3.628016;    // 9/20 sqrt(65)
+    const float a_7_40 = 3.25;        // 13/4
+    const float b_7_40 = 1.75;        // 7/4
+    const float b_8_41 = 6.2111096;   // 13/64 sqrt(935)
+    const float a_8_40 = 14.906663;   // 39/80 sqrt(935)
+    const float b_8_40 = 9.459997;    // 99/320 sqrt(935)
     const float k_4_3  = 3.0;         // 3
-    const float a_5_3  = 7.4624057;   // 9/4 sqrt(11)
-    const float b_5_3  = 0.8291562;   // 1/4 sqrt(11)
-    const float a_6_3  = 5.7245817;   // 11/12 sqrt(39)
-    const float b_6_3  = 1.5612495;   // 1/4 sqrt(39)
-    const float a_7_3  = 0.8974817;   // 33/52 sqrt(2)
-    const float b_7_3  = 1.2238387;   // 45/52 sqrt(2)
-    const float a_8_3  = 0.5477226;   // 1/10 sqrt(30)
-    const float b_8_3  = 1.1165423;   // 1/30 sqrt(1122)
+    const float a_5_30 = 3.7312028;   // 9/8 sqrt(11)
+    const float b_5_30 = 2.9020467;   // 7/8 sqrt(11)
+    const float a_6_30 = 2.8622909;   // 11/24 sqrt(39)
+    const float b_6_30 = 1.3010412;   // 5/24 sqrt(39)
+    const float b_7_31 = 4.7398252;   // 429/128 sqrt(2)
+    const float a_7_30 = 10.208854;   // 231/32 sqrt(2)
+    const float b_7_30 = 6.264524;    // 567/128 sqrt(2)
+    const float b_8_31 = 3.4019647;   // 13/128 sqrt(1122)
+    const float a_8_30 = 4.535953;    // 13/96 sqrt(1122)
+    const float b_8_30 = 3.227505;    // 37/384 sqrt(1122)
     const float k_3_2  = 2.6457512;   // sqrt(7)
-    const float a_4_2  = 6.0621777;   // 7/2 sqrt(3)
-    const float b_4_2  = 0.8660254;   // 1/2 sqrt(3)
-    const float a_5_2  = 4.974937;    // 3/2 sqrt(11)
-    const float b_5_2  = 1.6583124;   // 1/2 sqrt(11)
-    const float a_6_2  = 0.8490674;   // 9/143 sqrt(182)
-    const float b_6_2  = 1.2264307;   // 1/11 sqrt(182)
-    const float a_7_2  = 0.7867958;   // 1/21 sqrt(273)
-    const float b_7_2  = 0.9847319;   // 4/33 sqrt(66)
-    const float a_8_2  = 5.454356;    // 1/2 sqrt(119)
-    const float b_8_2  = 0.9903379;   // 1/26 sqrt(663)
+    const float a_4_20 = 3.0310888;   // 7/4 sqrt(3)
+    const float b_4_20 = 2.1650636;   // 5/4 sqrt(3)
+    const float a_5_20 = 2.4874685;   // 3/4 sqrt(11)
+    const float b_5_20 = 0.8291562;   // 1/4 sqrt(11)
+    const float b_6_21 = 3.4780807;   // 33/128 sqrt(182)
+    const float a_6_20 = 6.3237834;   // 15/32 sqrt(182)
+    const float b_6_20 = 3.6888735;   // 35/128 sqrt(182)
+    const float b_7_21 = 2.7365394;   // 143/128 sqrt(6)
+    const float a_7_20 = 2.5260363;   // 33/32 sqrt(6)
+    const float b_7_20 = 2.0858936;   // 109/128 sqrt(6)
+    const float a_8_21 = 7.46303;     // 143/512 sqrt(714)
+    const float a_8_20 = 6.3148713;   // 121/512 sqrt(714)
+    const float b_8_20 = 5.479847;    // 105/512 sqrt(714)
     const float k_2_1  = 2.236068;    // sqrt(5)
-    const float a_3_1  = 4.6770716;   // 5/4 sqrt(14)
-    const float b_3_1  = 3.7416575;   // sqrt(14)
-    const float a_4_1  = 4.2866073;   // 7/4 sqrt(6)
-    const float b_4_1  = 2.4494898;   // sqrt(6)
-    const float a_5_1  = 0.7865665;   // 7/66 sqrt(55)
-    const float b_5_1  = 1.2360331;   // 1/6 sqrt(55)
-    const float a_6_1  = 0.9039596;   // 1/35 sqrt(1001)
-    const float b_6_1  = 0.9952267;   // 2/105 sqrt(2730)
-    const float a_7_1  = 4.506939;    // 5/4 sqrt(13)
-    const float b_7_1  = 0.9971551;   // 5/44 sqrt(77)
-    const float a_8_1  = 0.8997354;   // 1/21 sqrt(357)
-    const float b_8_1  = 0.9981668;   // 4/273 sqrt(4641)
+    const float a_3_10 = 2.3385358;   // 5/8 sqrt(14)
+    const float b_3_10 = 1.4031215;   // 3/8 sqrt(14)
+    const float a_4_10 = 2.1433036;   // 7/8 sqrt(6)
+    const float b_4_10 = 0.30618623;  // 1/8 sqrt(6)
+    const float b_5_11 = 2.4334402;   // 21/64 sqrt(55)
+    const float a_5_10 = 3.244587;    // 7/16 sqrt(55)
+    const float b_5_10 = 1.7381716;   // 15/64 sqrt(55)
+    const float b_6_11 = 2.1997313;   // 33/320 sqrt(455)
+    const float a_6_10 = 0.7999023;   // 3/80 sqrt(455)
+    const float b_6_10 = 1.266512;    // 19/320 sqrt(455)
+    const float a_7_11 = 4.957028;    // 429/512 sqrt(35)
+    const float b_7_11 = 3.4317884;   // 297/512 sqrt(35)
+    const float a_7_10 = 1.4212457;   // 123/512 sqrt(35)
+    const float b_7_10 = 2.0220976;   // 175/512 sqrt(35)
+    const float a_8_11 = 4.4600134;   // 143/512 sqrt(255)
+    const float b_8_11 = 0.8920027;   // 143/2560 sqrt(255)
+    const float a_8_10 = 0.48030913;  // 77/2560 sqrt(255)
+    const float b_8_10 = 0.5551625;   // 89/2560 sqrt(255)
     const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
-    const float b_2_0  = 0.63078314;  // 1/2 sqrt(5/pi)
-    const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
-    const float b_3_0  = 1.5275252;   // 1/3 sqrt(21)
-    const float a_4_0  = 0.20149627;  // 5/14 sqrt(1/pi)
-    const float b_4_0  = 0.3626933;   // 9/14 sqrt(1/pi)
-    const float b_5_0  = 1.002853;    // 4/35 sqrt(77)
-    const float b_6_0  = 1.001542;    // 5/18 sqrt(13)
-    const float b_7_0  = 1.0009272;   // 6/77 sqrt(165)
-    const float b_8_0  = 1.0006008;   // 7/104 sqrt(221)
-    const float a_5_0  = 1.9899749;   // 3/5 sqrt(11)
-    const float a_6_0  = 1.9930434;   // 1/6 sqrt(143)
-    const float a_7_0  = 1.9948914;   // 1/7 sqrt(195)
-    const float a_8_0  = 1.9960899;   // 1/8 sqrt(255)
+    const float a_2_00 = 0.47308734;  // 3/8 sqrt(5/pi)
+    const float b_2_00 = 0.15769579;  // 1/8 sqrt(5/pi)
+    const float a_3_00 = 1.9094065;   // 5/12 sqrt(21)
+    const float b_3_00 = 0.3818813;   // 1/12 sqrt(21)
+    const float b_4_01 = 0.46281177;  // 105/128 sqrt(1/pi)
+    const float a_4_00 = 0.26446387;  // 15/32 sqrt(1/pi)
+    const float b_4_00 = 0.11900874;  // 27/128 sqrt(1/pi)
+    const float b_5_01 = 1.8849347;   // 21/64 sqrt(33)
+    const float a_5_00 = 0.8377487;   // 7/48 sqrt(33)
+    const float b_5_00 = 0.86766833;  // 29/192 sqrt(33)
+    const float a_6_01 = 0.91778034;  // 231/512 sqrt(13/pi)
+    const float b_6_01 = 0.25030375;  // 63/512 sqrt(13/pi)
+    const float b_6_00 = 0.09932688;  // 25/512 sqrt(13/pi)
+    const float a_7_01 = 3.7471607;   // 429/256 sqrt(5)
+    const float b_7_01 = 0.8647294;   // 99/256 sqrt(5)
+    const float a_7_00 = 0.18342745;  // 21/256 sqrt(5)
+    const float b_7_00 = 0.46293595;  // 53/256 sqrt(5)
+    const float b_8_02 = 0.9136464;   // 6435/16384 sqrt(17/pi)
+    const float a_8_01 = 0.48727807;  // 429/2048 sqrt(17/pi)
+    const float b_8_01 = 0.19678538;  // 693/8192 sqrt(17/pi)
+    const float a_8_00 = 0.06474324;  // 57/2048 sqrt(17/pi)
+    const float b_8_00 = 0.36985996;  // 2605/16384 sqrt(17/pi)
 
-    result[0] = k_0_0;                                            // l=0 m=0
+    result[0] = k_0_0;                                                                  // l=0 m=0
     float inverse = one / sqrt(x * x + y * y + z * z);
     float nx = x * inverse;
     float ny = y * inverse;
     float nz = z * inverse;
+    float x2 = nx * nx;
+    float y2 = ny * ny;
+    float xy2 = x2 + y2;
+    float t = x2 - y2;
     float z2 = nz * nz;
-    float xy2 = one - z2;
     float y_1_1c = k_1_1 * nx;
-    result[3] = y_1_1c;                                           // l=1 m=1
+    result[3] = y_1_1c;                                                                 // l=1 m=1
     float y_1_1s = k_1_1 * ny;
-    result[1] = y_1_1s;                                           // l=1 m=-1
-    float t = k_2_2s * nx;
-    float y_2_2s = t * ny;
-    result[4] = y_2_2s;                                           // l=2 m=-2
-    float y_2_2c = t * nx - k_2_2c * xy2;
-    result[8] = y_2_2c;                                           // l=2 m=2
-    float t_2 = b_3_3 * xy2;
-    float t_3 = a_3_3 * y_2_2c;
-    float y_3_3c = y_1_1c * (t_3 - t_2);
-    result[15] = y_3_3c;                                          // l=3 m=3
-    float y_3_3s = y_1_1s * (t_3 + t_2);
-    result[9] = y_3_3s;                                           // l=3 m=-3
+    result[1] = y_1_1s;                                                                 // l=1 m=-1
+    float y_2_2s = k_2_2s * nx * ny;
+    result[4] = y_2_2s;                                                                 // l=2 m=-2
+    float y_2_2c = k_2_2c * t;
+    result[8] = y_2_2c;                                                                 // l=2 m=2
+    float t_2 = a_3_3 * t;
+    float t_3 = b_3_3 * xy2;
+    float u = z2 - xy2;
+    float t_4 = z2 + z2 - one;
+    float y_3_3c = y_1_1c * (t_2 - t_3);
+    result[15] = y_3_3c;                                                                // l=3 m=3
+    float y_3_3s = y_1_1s * (t_2 + t_3);
+    result[9] = y_3_3s;                                                                 // l=3 m=-3
     float y_4_4s = k_4_4s * y_2_2c * y_2_2s;
-    result[16] = y_4_4s;                                          // l=4 m=-4
+    result[16] = y_4_4s;                                                                // l=4 m=-4
     float y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
-    result[24] = y_4_4c;                                          // l=4 m=4
-    float t_4 = k_5_5 * nx;
-    float t_5 = k_7_7 * nx;
-    float t_6 = k_5_5 * ny;
-    float t_7 = k_7_7 * ny;
-    float y_5_5c = t_4 * y_4_4c - t_6 * y_4_4s;
-    result[35] = y_5_5c;                                          // l=5 m=5
-    float y_5_5s = t_4 * y_4_4s + t_6 * y_4_4c;
-    result[25] = y_5_5s;                                          // l=5 m=-5
+    result[24] = y_4_4c;                                                                // l=4 m=4
+    float t_5 = k_5_5 * nx;
+    float t_6 = k_7_7 * nx;
+    float t_7 = k_5_5 * ny;
+    float t_8 = k_7_7 * ny;
+    float y_5_5c = t_5 * y_4_4c - t_7 * y_4_4s;
+    result[35] = y_5_5c;                                                                // l=5 m=5
+    float y_5_5s = t_5 * y_4_4s + t_7 * y_4_4c;
+    result[25] = y_5_5s;                                                                // l=5 m=-5
     float y_6_6s = k_6_6s * y_3_3c * y_3_3s;
-    result[36] = y_6_6s;                                          // l=6 m=-6
+    result[36] = y_6_6s;                                                                // l=6 m=-6
     float y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
-    result[48] = y_6_6c;                                          // l=6 m=6
-    float y_7_7c = t_5 * y_6_6c - t_7 * y_6_6s;
-    result[63] = y_7_7c;                                          // l=7 m=7
-    float y_7_7s = t_5 * y_6_6s + t_7 * y_6_6c;
-    result[49] = y_7_7s;                                          // l=7 m=-7
-    result[64] = k_8_8s * y_4_4c * y_4_4s;                        // l=8 m=-8
-    result[80] = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);  // l=8 m=8
+    result[48] = y_6_6c;                                                                // l=6 m=6
+    float y_7_7c = t_6 * y_6_6c - t_8 * y_6_6s;
+    result[63] = y_7_7c;                                                                // l=7 m=7
+    float y_7_7s = t_6 * y_6_6s + t_8 * y_6_6c;
+    result[49] = y_7_7s;                                                                // l=7 m=-7
+    result[64] = k_8_8s * y_4_4c * y_4_4s;                                              // l=8 m=-8
+    result[80] = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);                        // l=8 m=8
+    float t_9 = (u + u) * u - one;
+    float t_10 = (t_4 + t_4) * t_4 - one;
     float t_8_7 = k_8_7 * nz;
-    result[65] = t_8_7 * y_7_7s;                                  // l=8 m=-7
-    result[79] = t_8_7 * y_7_7c;                                  // l=8 m=7
+    result[65] = t_8_7 * y_7_7s;                                                        // l=8 m=-7
+    result[79] = t_8_7 * y_7_7c;                                                        // l=8 m=7
     float t_7_6 = k_7_6 * nz;
-    result[50] = t_7_6 * y_6_6s;                                  // l=7 m=-6
-    result[62] = t_7_6 * y_6_6c;                                  // l=7 m=6
-    float p_8_6 = a_8_6 * z2 - b_8_6;
-    result[66] = p_8_6 * y_6_6s;                                  // l=8 m=-6
-    result[78] = p_8_6 * y_6_6c;                                  // l=8 m=6
+    result[50] = t_7_6 * y_6_6s;                                                        // l=7 m=-6
+    result[62] = t_7_6 * y_6_6c;                                                        // l=7 m=6
+    float p_8_6 = a_8_60 * t_4 + b_8_60;
+    result[66] = p_8_6 * y_6_6s;                                                        // l=8 m=-6
+    result[78] = p_8_6 * y_6_6c;                                                        // l=8 m=6
     float t_6_5 = k_6_5 * nz;
-    float p_7_5 = a_7_5 * z2 - b_7_5;
-    result[51] = p_7_5 * y_5_5s;                                  // l=7 m=-5
-    result[61] = p_7_5 * y_5_5c;                                  // l=7 m=5
+    float p_7_5 = a_7_50 * t_4 + b_7_50;
+    result[51] = p_7_5 * y_5_5s;                                                        // l=7 m=-5
+    result[61] = p_7_5 * y_5_5c;                                                        // l=7 m=5
     float y_6_5s = t_6_5 * y_5_5s;
-    result[37] = y_6_5s;                                          // l=6 m=-5
+    result[37] = y_6_5s;                                                                // l=6 m=-5
     float y_6_5c = t_6_5 * y_5_5c;
-    result[47] = y_6_5c;                                          // l=6 m=5
-    float p_8_5 = a_8_5 * z2 - b_8_5;
-    result[67] = p_8_5 * y_6_5s;                                  // l=8 m=-5
-    result[77] = p_8_5 * y_6_5c;                                  // l=8 m=5
+    result[47] = y_6_5c;                                                                // l=6 m=5
+    float p_8_5 = a_8_50 * t_4 + b_8_50;
+    result[67] = p_8_5 * y_6_5s;                                                        // l=8 m=-5
+    result[77] = p_8_5 * y_6_5c;                                                        // l=8 m=5
     float t_5_4 = k_5_4 * nz;
-    float p_6_4 = a_6_4 * z2 - b_6_4;
-    result[38] = p_6_4 * y_4_4s;                                  // l=6 m=-4
-    result[46] = p_6_4 * y_4_4c;                                  // l=6 m=4
-    float p_7_4 = a_7_4 * z2 - b_7_4;
-    float p_8_4 = a_8_4 * p_8_5 * p_8_5 - b_8_4;
-    result[68] = p_8_4 * y_4_4s;                                  // l=8 m=-4
+    float p_6_4 = a_6_40 * t_4 + b_6_40;
+    result[38] = p_6_4 * y_4_4s;                                                        // l=6 m=-4
+    result[46] = p_6_4 * y_4_4c;                                                        // l=6 m=4
+    float p_7_4 = a_7_40 * t_4 + b_7_40;
+    float p_8_4 = b_8_41 * t_10 + (a_8_40 * t_4 + b_8_40);
+    result[68] = p_8_4 * y_4_4s;                                                        // l=8 m=-4
+    result[76] = p_8_4 * y_4_4c;                                                        // l=8 m=4
     float y_5_4s = t_5_4 * y_4_4s;
-    result[26] = y_5_4s;                                          // l=5 m=-4
-    result[52] = p_7_4 * y_5_4s;                                  // l=7 m=-4
+    result[26] = y_5_4s;                                                                // l=5 m=-4
     float y_5_4c = t_5_4 * y_4_4c;
-    result[34] = y_5_4c;                                          // l=5 m=4
-    result[60] = p_7_4 * y_5_4c;                                  // l=7 m=4
-    result[76] = p_8_4 * y_4_4c;                                  // l=8 m=4
+    result[34] = y_5_4c;                                                                // l=5 m=4
+    result[52] = p_7_4 * y_5_4s;                                                        // l=7 m=-4
+    result[60] = p_7_4 * y_5_4c;                                                        // l=7 m=4
     float t_4_3 = k_4_3 * nz;
-    float p_5_3 = a_5_3 * z2 - b_5_3;
-    result[27] = p_5_3 * y_3_3s;                                  // l=5 m=-3
-    result[33] = p_5_3 * y_3_3c;                                  // l=5 m=3
-    float p_6_3 = a_6_3 * z2 - b_6_3;
-    float p_7_3 = a_7_3 * p_7_4 * p_7_4 - b_7_3;
-    float p_8_3 = a_8_3 * p_8_4 - b_8_3 * p_7_4;
-    result[53] = p_7_3 * y_3_3s;                                  // l=7 m=-3
-    result[59] = p_7_3 * y_3_3c;                                  // l=7 m=3
+    float p_5_3 = a_5_30 * t_4 + b_5_30;
+    result[27] = p_5_3 * y_3_3s;                                                        // l=5 m=-3
+    result[33] = p_5_3 * y_3_3c;                                                        // l=5 m=3
+    float p_6_3 = a_6_30 * t_4 + b_6_30;
+    float p_7_3 = b_7_31 * t_10 + (a_7_30 * t_4 + b_7_30);
+    result[53] = p_7_3 * y_3_3s;                                                        // l=7 m=-3
+    result[59] = p_7_3 * y_3_3c;                                                        // l=7 m=3
     float y_4_3s = t_4_3 * y_3_3s;
-    result[17] = y_4_3s;                                          // l=4 m=-3
+    result[17] = y_4_3s;                                                                // l=4 m=-3
     float y_4_3c = t_4_3 * y_3_3c;
-    result[23] = y_4_3c;                                          // l=4 m=3
-    result[39] = p_6_3 * y_4_3s;                                  // l=6 m=-3
-    result[69] = p_8_3 * y_4_3s;                                  // l=8 m=-3
-    result[75] = p_8_3 * y_4_3c;                                  // l=8 m=3
-    result[45] = p_6_3 * y_4_3c;                                  // l=6 m=3
+    result[23] = y_4_3c;                                                                // l=4 m=3
+    result[39] = p_6_3 * y_4_3s;                                                        // l=6 m=-3
+    result[45] = p_6_3 * y_4_3c;                                                        // l=6 m=3
+    float p_8_3 = b_8_31 * t_10 + (a_8_30 * t_4 + b_8_30);
+    result[69] = p_8_3 * y_4_3s;                                                        // l=8 m=-3
+    result[75] = p_8_3 * y_4_3c;                                                        // l=8 m=3
     float t_3_2 = k_3_2 * nz;
-    float p_4_2 = a_4_2 * z2 - b_4_2;
-    result[18] = p_4_2 * y_2_2s;                                  // l=4 m=-2
-    result[22] = p_4_2 * y_2_2c;                                  // l=4 m=2
-    float p_5_2 = a_5_2 * z2 - b_5_2;
-    float p_6_2 = a_6_2 * p_6_3 * p_6_3 - b_6_2;
-    result[40] = p_6_2 * y_2_2s;                                  // l=6 m=-2
-    result[44] = p_6_2 * y_2_2c;                                  // l=6 m=2
-    float p_7_2 = a_7_2 * p_6_2 - b_7_2 * p_5_2;
-    float p_8_2 = a_8_2 * z2 * p_7_2 - b_8_2 * p_6_2;
-    result[70] = p_8_2 * y_2_2s;                                  // l=8 m=-2
-    result[74] = p_8_2 * y_2_2c;                                  // l=8 m=2
+    float p_4_2 = a_4_20 * t_4 + b_4_20;
+    result[18] = p_4_2 * y_2_2s;                                                        // l=4 m=-2
+    result[22] = p_4_2 * y_2_2c;                                                        // l=4 m=2
+    float p_5_2 = a_5_20 * t_4 + b_5_20;
+    float p_6_2 = b_6_21 * t_10 + (a_6_20 * t_4 + b_6_20);
+    result[40] = p_6_2 * y_2_2s;                                                        // l=6 m=-2
+    result[44] = p_6_2 * y_2_2c;                                                        // l=6 m=2
+    float p_7_2 = b_7_21 * t_10 + (a_7_20 * t_4 + b_7_20);
+    float p_8_2 = (a_8_21 * t_4 + a_8_21) * t_10 + (a_8_20 * t_4 + b_8_20);
+    result[70] = p_8_2 * y_2_2s;                                                        // l=8 m=-2
+    result[74] = p_8_2 * y_2_2c;                                                        // l=8 m=2
     float y_3_2s = t_3_2 * y_2_2s;
-    result[10] = y_3_2s;                                          // l=3 m=-2
+    result[10] = y_3_2s;                                                                // l=3 m=-2
     float y_3_2c = t_3_2 * y_2_2c;
-    result[14] = y_3_2c;                                          // l=3 m=2
-    result[28] = p_5_2 * y_3_2s;                                  // l=5 m=-2
-    result[54] = p_7_2 * y_3_2s;                                  // l=7 m=-2
-    result[58] = p_7_2 * y_3_2c;                                  // l=7 m=2
-    result[32] = p_5_2 * y_3_2c;                                  // l=5 m=2
+    result[14] = y_3_2c;                                                                // l=3 m=2
+    result[28] = p_5_2 * y_3_2s;                                                        // l=5 m=-2
+    result[32] = p_5_2 * y_3_2c;                                                        // l=5 m=2
+    result[54] = p_7_2 * y_3_2s;                                                        // l=7 m=-2
+    result[58] = p_7_2 * y_3_2c;                                                        // l=7 m=2
     float t_2_1 = k_2_1 * nz;
-    float p_3_1 = b_3_1 - a_3_1 * xy2;
-    result[11] = p_3_1 * y_1_1s;                                  // l=3 m=-1
-    result[13] = p_3_1 * y_1_1c;                                  // l=3 m=1
-    float p_4_1 = b_4_1 - a_4_1 * xy2;
-    float p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
-    result[29] = p_5_1 * y_1_1s;                                  // l=5 m=-1
-    result[31] = p_5_1 * y_1_1c;                                  // l=5 m=1
-    float p_6_1 = a_6_1 * p_5_1 - b_6_1 * p_4_1;
-    float p_7_1 = a_7_1 * z2 * p_6_1 - b_7_1 * p_5_1;
-    result[55] = p_7_1 * y_1_1s;                                  // l=7 m=-1
-    float y_2_1s = t_2_1 * y_1_1s;
-    result[5] = y_2_1s;                                           // l=2 m=-1
-    float y_2_1c = t_2_1 * y_1_1c;
-    result[7] = y_2_1c;                                           // l=2 m=1
-    result[57] = p_7_1 * y_1_1c;                                  // l=7 m=1
-    result[19] = p_4_1 * y_2_1s;                                  // l=4 m=-1
-    result[21] = p_4_1 * y_2_1c;                                  // l=4 m=1
-    result[41] = p_6_1 * y_2_1s;                                  // l=6 m=-1
-    result[43] = p_6_1 * y_2_1c;                                  // l=6 m=1
-    float p_8_1 = a_8_1 * p_7_1 - b_8_1 * p_6_1;
-    result[71] = p_8_1 * y_2_1s;                                  // l=8 m=-1
-    result[73] = p_8_1 * y_2_1c;                                  // l=8 m=1
     float t_1_0 = k_1_1 * nz;
-    result[2] = t_1_0;                                            // l=1 m=0
-    result[6] = b_2_0 - a_2_0 * xy2;                              // l=2 m=0
-    float y_3_0 = (b_3_0 - a_3_0 * xy2) * t_1_0;
-    result[12] = y_3_0;                                           // l=3 m=0
-    float p_4_0 = a_4_0 * p_4_1 * p_4_1 - b_4_0;
-    result[20] = p_4_0;                                           // l=4 m=0
-    float p_5_0 = a_5_0 * nz * p_4_0 - b_5_0 * y_3_0;
-    result[30] = p_5_0;                                           // l=5 m=0
-    float p_6_0 = a_6_0 * nz * p_5_0 - b_6_0 * p_4_0;
-    result[42] = p_6_0;                                           // l=6 m=0
-    float p_7_0 = a_7_0 * nz * p_6_0 - b_7_0 * p_5_0;
-    result[56] = p_7_0;                                           // l=7 m=0
-    result[72] = a_8_0 * nz * p_7_0 - b_8_0 * p_6_0;              // l=8 m=0
+    result[2] = t_1_0;                                                                  // l=1 m=0
+    float p_3_1 = a_3_10 * t_4 + b_3_10;
+    result[11] = p_3_1 * y_1_1s;                                                        // l=3 m=-1
+    result[13] = p_3_1 * y_1_1c;                                                        // l=3 m=1
+    float p_4_1 = a_4_10 * t_4 + b_4_10;
+    float p_5_1 = b_5_11 * t_10 + (a_5_10 * t_4 + b_5_10);
+    result[29] = p_5_1 * y_1_1s;                                                        // l=5 m=-1
+    result[31] = p_5_1 * y_1_1c;                                                        // l=5 m=1
+    float p_6_1 = b_6_11 * t_10 + (a_6_10 * t_4 + b_6_10);
+    float p_7_1 = (a_7_11 * t_4 + b_7_11) * t_10 + (a_7_10 * t_4 + b_7_10);
+    result[55] = p_7_1 * y_1_1s;                                                        // l=7 m=-1
+    result[57] = p_7_1 * y_1_1c;                                                        // l=7 m=1
+    float y_2_1s = t_2_1 * y_1_1s;
+    result[5] = y_2_1s;                                                                 // l=2 m=-1
+    float y_2_1c = t_2_1 * y_1_1c;
+    result[7] = y_2_1c;                                                                 // l=2 m=1
+    result[19] = p_4_1 * y_2_1s;                                                        // l=4 m=-1
+    result[21] = p_4_1 * y_2_1c;                                                        // l=4 m=1
+    result[41] = p_6_1 * y_2_1s;                                                        // l=6 m=-1
+    result[43] = p_6_1 * y_2_1c;                                                        // l=6 m=1
+    float p_8_1 = (a_8_11 * t_4 + b_8_11) * t_10 + (a_8_10 * t_4 + b_8_10);
+    result[71] = p_8_1 * y_2_1s;                                                        // l=8 m=-1
+    result[73] = p_8_1 * y_2_1c;                                                        // l=8 m=1
+    result[6] = a_2_00 * u + b_2_00;                                                    // l=2 m=0
+    result[12] = (a_3_00 * u - b_3_00) * t_1_0;                                         // l=3 m=0
+    result[20] = b_4_01 * t_9 + (a_4_00 * u + b_4_00);                                  // l=4 m=0
+    result[30] = (b_5_01 * t_9 + (b_5_00 - a_5_00 * u)) * t_1_0;                        // l=5 m=0
+    result[42] = (a_6_01 * u + b_6_01) * t_9 + (b_6_00 - b_6_01 * u);                   // l=6 m=0
+    result[56] = ((a_7_01 * u - b_7_01) * t_9 - (a_7_00 * u + b_7_00)) * t_1_0;         // l=7 m=0
+    result[72] = (b_8_02 * t_9 + (a_8_01 * u + b_8_01)) * t_9 - (a_8_00 * u + b_8_00);  // l=8 m=0
 }

@@ -7,15 +7,14 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis; any weight
 // Output:       sum (36): sum += weight Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
-// Cost:         70 multiplications, 54 additions; longest chain 11; at most 48 values live
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Cost:         73 multiplications, 64 additions; longest chain 10; at most 48 values live
 // Error:        eps counts units of machine epsilon x |weight| sqrt((2l+1)/(4 pi)) + |sum before|
-//               float   rounding  at most 1.6e-06 (13.8 eps)  largest seen 9.1e-07 (6.9 eps)
-//                       total                                 largest seen 8.5e-07 (6.2 eps)
-//               double  rounding  at most 3.2e-15 (14.6 eps)  largest seen 1.9e-15 (7.8 eps)
-//                       total                                 largest seen 2.1e-15 (9.7 eps)
+//               float   rounding  at most 9.4e-07 (7.9 eps)  largest seen 4.8e-07 (3.3 eps)
+//                       total                                largest seen 6.1e-07 (5.3 eps)
+//               double  rounding  at most 1.7e-15 (7.5 eps)  largest seen 9.4e-16 (3.9 eps)
+//                       total                                largest seen 1.1e-15 (4.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
@@ -28,110 +27,116 @@ precision highp float;
 #endif
 
 void project_l5(float x, float y, float z, float weight, inout float sum[36]) {
-    const float one    = 1.0;         // 1
     const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
     const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
     const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
     const float b_3_3  = 1.2076148;   // 1/12 sqrt(210)
-    const float a_3_3  = 4.4212766;   // 2/3 sqrt(14) pi^(1/2)
+    const float a_3_3  = 2.4152296;   // 1/6 sqrt(210)
     const float k_4_4s = 4.1943913;   // 2/5 sqrt(35) pi^(1/2)
     const float k_4_4c = 2.0971956;   // 1/5 sqrt(35) pi^(1/2)
     const float k_5_5  = 1.0488088;   // 1/10 sqrt(110)
+    const float one    = 1.0;         // 1
     const float k_5_4  = 3.3166249;   // sqrt(11)
     const float k_4_3  = 3.0;         // 3
-    const float a_5_3  = 7.4624057;   // 9/4 sqrt(11)
-    const float b_5_3  = 0.8291562;   // 1/4 sqrt(11)
+    const float a_5_30 = 3.7312028;   // 9/8 sqrt(11)
+    const float b_5_30 = 2.9020467;   // 7/8 sqrt(11)
     const float k_3_2  = 2.6457512;   // sqrt(7)
-    const float a_4_2  = 6.0621777;   // 7/2 sqrt(3)
-    const float b_4_2  = 0.8660254;   // 1/2 sqrt(3)
-    const float a_5_2  = 4.974937;    // 3/2 sqrt(11)
-    const float b_5_2  = 1.6583124;   // 1/2 sqrt(11)
+    const float a_4_20 = 3.0310888;   // 7/4 sqrt(3)
+    const float b_4_20 = 2.1650636;   // 5/4 sqrt(3)
+    const float a_5_20 = 2.4874685;   // 3/4 sqrt(11)
+    const float b_5_20 = 0.8291562;   // 1/4 sqrt(11)
     const float k_2_1  = 2.236068;    // sqrt(5)
-    const float a_3_1  = 4.6770716;   // 5/4 sqrt(14)
-    const float b_3_1  = 3.7416575;   // sqrt(14)
-    const float a_4_1  = 4.2866073;   // 7/4 sqrt(6)
-    const float b_4_1  = 2.4494898;   // sqrt(6)
-    const float a_5_1  = 0.7865665;   // 7/66 sqrt(55)
-    const float b_5_1  = 1.2360331;   // 1/6 sqrt(55)
+    const float a_3_10 = 2.3385358;   // 5/8 sqrt(14)
+    const float b_3_10 = 1.4031215;   // 3/8 sqrt(14)
+    const float a_4_10 = 2.1433036;   // 7/8 sqrt(6)
+    const float b_4_10 = 0.30618623;  // 1/8 sqrt(6)
+    const float b_5_11 = 2.4334402;   // 21/64 sqrt(55)
+    const float a_5_10 = 3.244587;    // 7/16 sqrt(55)
+    const float b_5_10 = 1.7381716;   // 15/64 sqrt(55)
     const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
-    const float b_2_0  = 0.63078314;  // 1/2 sqrt(5/pi)
-    const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
-    const float b_3_0  = 1.5275252;   // 1/3 sqrt(21)
-    const float a_4_0  = 0.20149627;  // 5/14 sqrt(1/pi)
-    const float b_4_0  = 0.3626933;   // 9/14 sqrt(1/pi)
-    const float b_5_0  = 1.002853;    // 4/35 sqrt(77)
-    const float a_5_0  = 1.9899749;   // 3/5 sqrt(11)
+    const float a_2_00 = 0.47308734;  // 3/8 sqrt(5/pi)
+    const float b_2_00 = 0.15769579;  // 1/8 sqrt(5/pi)
+    const float a_3_00 = 1.9094065;   // 5/12 sqrt(21)
+    const float b_3_00 = 0.3818813;   // 1/12 sqrt(21)
+    const float b_4_01 = 0.46281177;  // 105/128 sqrt(1/pi)
+    const float a_4_00 = 0.26446387;  // 15/32 sqrt(1/pi)
+    const float b_4_00 = 0.11900874;  // 27/128 sqrt(1/pi)
+    const float b_5_01 = 1.8849347;   // 21/64 sqrt(33)
+    const float a_5_00 = 0.8377487;   // 7/48 sqrt(33)
+    const float b_5_00 = 0.86766833;  // 29/192 sqrt(33)
 
+    float x2 = x * x;
+    float y2 = y * y;
+    float xy2 = x2 + y2;
+    float t = x2 - y2;
     float z2 = z * z;
-    float xy2 = one - z2;
-    float t = k_2_2s * x;
-    float y_2_2s = t * y;
-    float y_2_2c = t * x - k_2_2c * xy2;
-    float t_2 = b_3_3 * xy2;
-    float t_3 = a_3_3 * y_2_2c;
+    float y_2_2s = k_2_2s * x * y;
+    float y_2_2c = k_2_2c * t;
+    float t_2 = a_3_3 * t;
+    float t_3 = b_3_3 * xy2;
+    float u = z2 - xy2;
+    float t_4 = z2 + z2 - one;
     float y_4_4s = weight * (k_4_4s * y_2_2c * y_2_2s);
-    sum[16] = sum[16] + y_4_4s;                               // l=4 m=-4
+    sum[16] = sum[16] + y_4_4s;                                           // l=4 m=-4
     float y_2_2c_2 = weight * y_2_2c;
-    sum[8] = sum[8] + y_2_2c_2;                               // l=2 m=2
+    sum[8] = sum[8] + y_2_2c_2;                                           // l=2 m=2
     float y_2_2s_2 = weight * y_2_2s;
-    sum[4] = sum[4] + y_2_2s_2;                               // l=2 m=-2
+    sum[4] = sum[4] + y_2_2s_2;                                           // l=2 m=-2
     float y_4_4c = weight * (k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s));
-    sum[24] = sum[24] + y_4_4c;                               // l=4 m=4
-    float t_4 = k_5_5 * x;
-    float t_5 = k_5_5 * y;
-    float t_6 = k_1_1 * weight;
-    float y_1_1c = t_6 * x;
-    float y_1_1s = t_6 * y;
-    sum[1] = sum[1] + y_1_1s;                                 // l=1 m=-1
-    sum[3] = sum[3] + y_1_1c;                                 // l=1 m=1
-    float y_3_3c = y_1_1c * (t_3 - t_2);
-    sum[15] = sum[15] + y_3_3c;                               // l=3 m=3
-    float y_3_3s = y_1_1s * (t_3 + t_2);
-    sum[9] = sum[9] + y_3_3s;                                 // l=3 m=-3
-    sum[35] = sum[35] + (t_4 * y_4_4c - t_5 * y_4_4s);        // l=5 m=5
-    sum[25] = sum[25] + (t_4 * y_4_4s + t_5 * y_4_4c);        // l=5 m=-5
+    sum[24] = sum[24] + y_4_4c;                                           // l=4 m=4
+    float t_5 = k_5_5 * x;
+    float t_6 = k_5_5 * y;
+    float t_7 = k_1_1 * weight;
+    float y_1_1c = t_7 * x;
+    float y_1_1s = t_7 * y;
+    sum[1] = sum[1] + y_1_1s;                                             // l=1 m=-1
+    sum[3] = sum[3] + y_1_1c;                                             // l=1 m=1
+    float y_3_3c = y_1_1c * (t_2 - t_3);
+    sum[15] = sum[15] + y_3_3c;                                           // l=3 m=3
+    float y_3_3s = y_1_1s * (t_2 + t_3);
+    sum[9] = sum[9] + y_3_3s;                                             // l=3 m=-3
+    sum[35] = sum[35] + (t_5 * y_4_4c - t_6 * y_4_4s);                    // l=5 m=5
+    sum[25] = sum[25] + (t_5 * y_4_4s + t_6 * y_4_4c);                    // l=5 m=-5
+    float t_8 = (u + u) * u - one;
     float t_5_4 = k_5_4 * z;
-    sum[26] = sum[26] + t_5_4 * y_4_4s;                       // l=5 m=-4
-    sum[34] = sum[34] + t_5_4 * y_4_4c;                       // l=5 m=4
+    sum[26] = sum[26] + t_5_4 * y_4_4s;                                   // l=5 m=-4
+    sum[34] = sum[34] + t_5_4 * y_4_4c;                                   // l=5 m=4
     float t_4_3 = k_4_3 * z;
-    float p_5_3 = a_5_3 * z2 - b_5_3;
+    float p_5_3 = a_5_30 * t_4 + b_5_30;
     float t_3_2 = k_3_2 * z;
-    float p_4_2 = a_4_2 * z2 - b_4_2;
-    float p_5_2 = a_5_2 * z2 - b_5_2;
+    float p_4_2 = a_4_20 * t_4 + b_4_20;
+    float p_5_2 = a_5_20 * t_4 + b_5_20;
     float t_2_1 = k_2_1 * z;
-    float p_3_1 = b_3_1 - a_3_1 * xy2;
-    float p_4_1 = b_4_1 - a_4_1 * xy2;
-    float p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
     float y_1_0 = k_1_1 * z * weight;
-    sum[2] = sum[2] + y_1_0;                                  // l=1 m=0
-    float y_3_0 = (b_3_0 - a_3_0 * xy2) * y_1_0;
-    sum[12] = sum[12] + y_3_0;                                // l=3 m=0
-    sum[6] = sum[6] + (b_2_0 - a_2_0 * xy2) * weight;         // l=2 m=0
-    float y_4_0 = (a_4_0 * p_4_1 * p_4_1 - b_4_0) * weight;
-    sum[20] = sum[20] + y_4_0;                                // l=4 m=0
-    sum[30] = sum[30] + (a_5_0 * z * y_4_0 - b_5_0 * y_3_0);  // l=5 m=0
-    sum[0] = sum[0] + k_0_0 * weight;                         // l=0 m=0
-    sum[17] = sum[17] + t_4_3 * y_3_3s;                       // l=4 m=-3
-    sum[23] = sum[23] + t_4_3 * y_3_3c;                       // l=4 m=3
-    sum[27] = sum[27] + p_5_3 * y_3_3s;                       // l=5 m=-3
-    sum[33] = sum[33] + p_5_3 * y_3_3c;                       // l=5 m=3
+    sum[2] = sum[2] + y_1_0;                                              // l=1 m=0
+    float p_3_1 = a_3_10 * t_4 + b_3_10;
+    float p_4_1 = a_4_10 * t_4 + b_4_10;
+    float p_5_1 = b_5_11 * ((t_4 + t_4) * t_4 - one) + (a_5_10 * t_4 + b_5_10);
+    sum[6] = sum[6] + (a_2_00 * u + b_2_00) * weight;                     // l=2 m=0
+    sum[12] = sum[12] + (a_3_00 * u - b_3_00) * y_1_0;                    // l=3 m=0
+    sum[30] = sum[30] + (b_5_01 * t_8 + (b_5_00 - a_5_00 * u)) * y_1_0;   // l=5 m=0
+    sum[20] = sum[20] + (b_4_01 * t_8 + (a_4_00 * u + b_4_00)) * weight;  // l=4 m=0
+    sum[0] = sum[0] + k_0_0 * weight;                                     // l=0 m=0
+    sum[17] = sum[17] + t_4_3 * y_3_3s;                                   // l=4 m=-3
+    sum[23] = sum[23] + t_4_3 * y_3_3c;                                   // l=4 m=3
+    sum[27] = sum[27] + p_5_3 * y_3_3s;                                   // l=5 m=-3
+    sum[33] = sum[33] + p_5_3 * y_3_3c;                                   // l=5 m=3
     float y_3_2s = t_3_2 * y_2_2s_2;
-    sum[10] = sum[10] + y_3_2s;                               // l=3 m=-2
+    sum[10] = sum[10] + y_3_2s;                                           // l=3 m=-2
     float y_3_2c = t_3_2 * y_2_2c_2;
-    sum[14] = sum[14] + y_3_2c;                               // l=3 m=2
-    sum[18] = sum[18] + p_4_2 * y_2_2s_2;                     // l=4 m=-2
-    sum[22] = sum[22] + p_4_2 * y_2_2c_2;                     // l=4 m=2
-    sum[28] = sum[28] + p_5_2 * y_3_2s;                       // l=5 m=-2
-    sum[32] = sum[32] + p_5_2 * y_3_2c;                       // l=5 m=2
+    sum[14] = sum[14] + y_3_2c;                                           // l=3 m=2
+    sum[18] = sum[18] + p_4_2 * y_2_2s_2;                                 // l=4 m=-2
+    sum[22] = sum[22] + p_4_2 * y_2_2c_2;                                 // l=4 m=2
+    sum[28] = sum[28] + p_5_2 * y_3_2s;                                   // l=5 m=-2
+    sum[32] = sum[32] + p_5_2 * y_3_2c;                                   // l=5 m=2
     float y_2_1s = t_2_1 * y_1_1s;
-    sum[5] = sum[5] + y_2_1s;                                 // l=2 m=-1
+    sum[5] = sum[5] + y_2_1s;                                             // l=2 m=-1
     float y_2_1c = t_2_1 * y_1_1c;
-    sum[7] = sum[7] + y_2_1c;                                 // l=2 m=1
-    sum[19] = sum[19] + p_4_1 * y_2_1s;                       // l=4 m=-1
-    sum[21] = sum[21] + p_4_1 * y_2_1c;                       // l=4 m=1
-    sum[11] = sum[11] + p_3_1 * y_1_1s;                       // l=3 m=-1
-    sum[13] = sum[13] + p_3_1 * y_1_1c;                       // l=3 m=1
-    sum[29] = sum[29] + p_5_1 * y_1_1s;                       // l=5 m=-1
-    sum[31] = sum[31] + p_5_1 * y_1_1c;                       // l=5 m=1
+    sum[7] = sum[7] + y_2_1c;                                             // l=2 m=1
+    sum[19] = sum[19] + p_4_1 * y_2_1s;                                   // l=4 m=-1
+    sum[21] = sum[21] + p_4_1 * y_2_1c;                                   // l=4 m=1
+    sum[11] = sum[11] + p_3_1 * y_1_1s;                                   // l=3 m=-1
+    sum[13] = sum[13] + p_3_1 * y_1_1c;                                   // l=3 m=1
+    sum[29] = sum[29] + p_5_1 * y_1_1s;                                   // l=5 m=-1
+    sum[31] = sum[31] + p_5_1 * y_1_1c;                                   // l=5 m=1
 }

@@ -289,11 +289,11 @@ TEST_F(Shcheck, ExplainsItself) {
 }
 
 TEST_F(Shcheck, WorstShowsAnInputOfEachKernelAndScalar) {
-  const auto outcome = run("worst --family basis --degree 4 --evaluations 50");
+  const auto outcome = run("worst --family basis --degree 7 --evaluations 50");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const std::string start : {"basis_l4 +float", "basis_l4 +double", "basis_accurate_l4 +float"}) {
+  for (const std::string start : {"basis_l7 +float", "basis_l7 +double", "basis_accurate_l7 +float"}) {
     EXPECT_TRUE(std::regex_search(outcome.out,
-                                  std::regex(start + " +[0-9.]+ eps  out l=[0-4] m=-?[0-4] at( -?[0-9.e-]+){3}\n")))
+                                  std::regex(start + " +[0-9.]+ eps  out l=[0-7] m=-?[0-7] at( -?[0-9.e-]+){3}\n")))
         << outcome.out;
   }
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 4) << outcome.out;

@@ -7,7 +7,7 @@
 // and the passes find its short forms for small l - m. Off the unit sphere, x^2+y^2+z^2 multiplies b_l_m.
 #include "codegen/recipes/basis/basis.hpp"
 
-#include "codegen/recipes/basis/parity_columns.hpp"
+#include "codegen/recipes/basis/chebyshev_columns.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen::recipes {
@@ -83,15 +83,15 @@ Kernel basis_recurrence(int degree) {
   return kernel;
 }
 
+Kernel basis_normalised_chebyshev(int degree) {
+  return normalized(degree, kChebyshevSource,
+                    [degree](SignedBuilder& build, const Direction& d) { return append_chebyshev(build, d, degree); });
+}
+
 Kernel basis_normalised_parity(int degree) {
   return normalized(degree, kParitySource, [degree](SignedBuilder& build, const Direction& d) {
     return append_parity(build, d, degree, accurate_choices(degree));
   });
-}
-
-Kernel basis_normalised_centred(int degree) {
-  return normalized(degree, kCentredSource,
-                    [degree](SignedBuilder& build, const Direction& d) { return append_centred(build, d, degree); });
 }
 
 }  // namespace sh::codegen::recipes

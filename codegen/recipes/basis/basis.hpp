@@ -31,6 +31,16 @@ std::vector<NodeId> append_centred(SignedBuilder& build, const Direction& d, int
 /// basis_l<degree> with small rounding error.
 Kernel basis_centred(int degree);
 
+/// The largest degree of recipes by Chebyshev polynomials: their sums in powers of T_2 lose digits above it.
+inline constexpr int kLastChebyshev = 10;
+
+/// Appends the nodes of every Y_lm on the unit sphere, in order. If `weight` is a node, it multiplies all values.
+/// Throws the exceptions of symbolic::require_basis_index.
+std::vector<NodeId> append_chebyshev(SignedBuilder& build, const Direction& d, int degree, NodeId weight = -1);
+
+/// basis_l<degree>, degree 0 to kLastChebyshev, with few operations and small rounding error.
+Kernel basis_chebyshev(int degree);
+
 /// Appends the nodes of every Y_lm on the unit sphere, in order. If `weight` is a node, it multiplies all values.
 /// Throws the exceptions of symbolic::require_basis_index.
 std::vector<NodeId> append_parity(SignedBuilder& build, const Direction& d, int degree, const ParityChoices& choices,
@@ -51,14 +61,15 @@ Kernel basis_gradient_recurrence(int degree);
 
 /// basis_normalised_l<degree>: x, y, z; out ((degree+1)^2). They compute d / |d| (eight operations, one square root and
 /// one division) and then the basis by one of its recipes.
+Kernel basis_normalised_chebyshev(int degree);
 Kernel basis_normalised_parity(int degree);
-Kernel basis_normalised_centred(int degree);
 
 /// evaluate_l<degree>: c ((degree+1)^2), x, y, z with |d| = 1; returns the value.
 Kernel evaluate_columns(int degree);
 Kernel evaluate_sum(int degree);
 
 /// evaluate_rgb_l<degree>: c (3, (degree+1)^2) channel by channel, x, y, z; rgb (3).
+Kernel evaluate_rgb_chebyshev(int degree);
 Kernel evaluate_rgb_columns(int degree);
 Kernel evaluate_rgb_sum(int degree);
 
@@ -78,6 +89,7 @@ Kernel evaluate_prepare(int degree);
 Kernel evaluate_prepared(int degree);
 
 /// project_l<degree>: x, y, z with |d| = 1, weight; sum ((degree+1)^2) in place.
+Kernel project_chebyshev(int degree);
 Kernel project_parity(int degree);
 Kernel project_recurrence(int degree);
 

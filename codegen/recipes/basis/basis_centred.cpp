@@ -25,9 +25,6 @@ constexpr int kLastPolynomialOrder = 2;
 constexpr int kLastPolynomial = 7;  // l - m for m > 0; above it the recurrence is more accurate
 constexpr int kFirstSplit = 8;      // the first even l for which the slope at the poles matters
 
-// The coefficients of p((1 + u) / 2) in powers of u.
-Powers centred(const Powers& p) { return composed(p, cl_RA(1) / 2, cl_RA(1) / 2); }
-
 class Centred {
  public:
   Centred(SignedBuilder& build, const Direction& d, int degree)

@@ -1,6 +1,10 @@
-// Recipe: all real spherical harmonics up to a degree with few products. parity_columns.hpp gives the factors of the
-// orders and the polynomials. For odd n >= 3, E_n multiplies Y_(m+1,+-m), which already contains the factor z.
+// Recipes: all real spherical harmonics up to a degree, as products of the factors of the orders with polynomials in z.
+// For odd n >= 3, E_n multiplies Y_(m+1,+-m), which already contains the factor z.
+//
+//   chebyshev  the columns of chebyshev_columns.hpp: small error
+//   parity     those of parity_columns.hpp: few operations
 #include "codegen/recipes/basis/basis.hpp"
+#include "codegen/recipes/basis/chebyshev_columns.hpp"
 #include "codegen/recipes/basis/parity_columns.hpp"
 #include "symbolic/basis/basis.hpp"
 
@@ -20,14 +24,16 @@ class Values {
   Values(Builder& build, NodeId z, int degree, const Options& options)
       : build_(build), z_(z), degree_(degree), options_(options), values_(coefficient_count(degree)) {}
 
-  std::vector<NodeId> make(const ParityColumns& columns, const std::vector<Pair>& sectoral) && {
+  template <class Columns>
+  std::vector<NodeId> make(const Columns& columns, const std::vector<Pair>& sectoral) && {
     for (int m = degree_; m > 0; --m) column(m, columns, sectoral[m]);
     for (int l = 0; l <= degree_; ++l) values_[coefficient_index(l, 0)] = zonal(l, columns);
     return std::move(values_);
   }
 
  private:
-  void column(int m, const ParityColumns& columns, const Pair& sectoral) {
+  template <class Columns>
+  void column(int m, const Columns& columns, const Pair& sectoral) {
     set(m, m, sectoral);
     for (int l = m + 1; l <= degree_; ++l) {
       const int n = l - m;
@@ -50,7 +56,8 @@ class Values {
     set(l, m, {cosine, sine});
   }
 
-  NodeId zonal(int l, const ParityColumns& columns) {
+  template <class Columns>
+  NodeId zonal(int l, const Columns& columns) {
     if (l >= 5 && options_.zonal_rows) return zonal_row(l);
     if (l >= 3 && l % 2 != 0) return build_.mul(columns.at(0, l), value(1, 0), indexed("y", l, 0));
     const NodeId axial = columns.at(0, l);
@@ -80,15 +87,21 @@ class Values {
   std::vector<NodeId> values_;
 };
 
-Kernel with_choices(int degree, const ParityChoices& choices) {
+template <class Append>
+Kernel by_columns(int degree, const char* source, const Append& append) {
   Kernel kernel;
   describe_basis(kernel, degree);
-  kernel.citation = kParitySource;
+  kernel.citation = source;
   kernel.factored = true;
   SignedBuilder build(kernel);
   const Direction d = direction_inputs(build);
-  set_outputs(kernel, append_parity(build, d, degree, choices));
+  set_outputs(kernel, append(build, d));
   return kernel;
+}
+
+Kernel with_choices(int degree, const ParityChoices& choices) {
+  return by_columns(degree, kParitySource,
+                    [&](SignedBuilder& build, const Direction& d) { return append_parity(build, d, degree, choices); });
 }
 
 }  // namespace
@@ -103,12 +116,26 @@ std::vector<NodeId> append_parity(SignedBuilder& build, const Direction& d, int 
   return Values(build, d.z, degree, {-1, weight, choices.rows > 0, false}).make(columns, sectoral);
 }
 
+std::vector<NodeId> append_chebyshev(SignedBuilder& build, const Direction& d, int degree, NodeId weight) {
+  symbolic::require_basis_index(degree, 0);
+  const Squares squares = chebyshev_squares(build, d);
+  std::vector<Pair> sectoral = append_sectoral(build, d, degree, squares, false);
+  if (weight >= 0) sectoral = append_weighted_sectoral(build, d, weight, sectoral, squares, false);
+  const ChebyshevColumns columns(build, d.z, squares, degree);
+  return Values(build, d.z, degree, {-1, weight, false, false}).make(columns, sectoral);
+}
+
 std::vector<NodeId> append_solid(SignedBuilder& build, const Direction& d, int degree) {
   symbolic::require_basis_index(degree, 0);
   const Squares squares = append_squares(build, d);
   const std::vector<Pair> sectoral = append_sectoral(build, d, degree, squares, false);
   const ParityColumns columns(build, d.z, squares, degree, accurate_choices(degree));
   return Values(build, d.z, degree, {squares.r2, -1, true, true}).make(columns, sectoral);
+}
+
+Kernel basis_chebyshev(int degree) {
+  return by_columns(degree, kChebyshevSource,
+                    [&](SignedBuilder& build, const Direction& d) { return append_chebyshev(build, d, degree); });
 }
 
 Kernel basis_parity(int degree) { return with_choices(degree, accurate_choices(degree)); }

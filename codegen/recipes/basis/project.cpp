@@ -1,5 +1,6 @@
 // Recipes: sum += weight * Y(d) without storing the basis, directly or by moments.
 //
+//   chebyshev   the basis by Chebyshev polynomials; the weight enters like that of parity
 //   parity      the basis by parity; the sectoral functions include the weight where the values are linear in them
 //   recurrence  the basis by the recurrence in l; the weight enters at the start of the columns
 //
@@ -13,6 +14,7 @@
 
 #include "codegen/measure/directions.hpp"
 #include "codegen/recipes/basis/basis.hpp"
+#include "codegen/recipes/basis/chebyshev_columns.hpp"
 #include "symbolic/basis/basis.hpp"
 
 namespace sh::codegen::recipes {
@@ -72,6 +74,15 @@ double amplification(int degree) {
 }
 
 }  // namespace
+
+Kernel project_chebyshev(int degree) {
+  Kernel kernel =
+      accumulated_basis(degree, kChebyshevSource, [degree](SignedBuilder& build, const Direction& d, NodeId weight) {
+        return append_chebyshev(build, d, degree, weight);
+      });
+  kernel.factored = true;
+  return kernel;
+}
 
 Kernel project_parity(int degree) {
   Kernel kernel =

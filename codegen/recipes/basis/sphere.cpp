@@ -51,6 +51,10 @@ std::vector<cln::cl_RA> composed(const std::vector<cln::cl_RA>& p, const cln::cl
   return result;
 }
 
+std::vector<cln::cl_RA> centred(const std::vector<cln::cl_RA>& p) {
+  return composed(p, cln::cl_RA(1) / 2, cln::cl_RA(1) / 2);
+}
+
 std::vector<NodeId> append_column(Builder& build, const Recurrence& recurrence, NodeId z, NodeId start, int degree,
                                   int m, NodeId r2) {
   std::vector<NodeId> p{start};

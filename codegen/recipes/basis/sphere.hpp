@@ -34,6 +34,8 @@ AxialForm whole_axial_form(int l, int m);
 
 /// The coefficients of p(constant + slope u) in powers of u, from the coefficients of p; without leading zeros.
 std::vector<cln::cl_RA> composed(const std::vector<cln::cl_RA>& p, const cln::cl_RA& constant, const cln::cl_RA& slope);
+/// Those of p((1 + u) / 2): u = 2w - 1 goes from -1 to 1 where w goes from 0 to 1.
+std::vector<cln::cl_RA> centred(const std::vector<cln::cl_RA>& p);
 
 /// The constants of a recurrence p_l = a(l, m) z p_(l-1) - b(l, m) p_(l-2).
 struct Recurrence {

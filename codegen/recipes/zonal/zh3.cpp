@@ -26,7 +26,7 @@ Surd irradiance_constant(int l) {
   return symbolic::irradiance_factor(l) * form.scale * Surd(l == 2 ? -form.powers[0] : form.powers[0]);
 }
 
-Kernel described(int channels) {
+Kernel zh3_described(int channels) {
   Kernel kernel;
   kernel.title =
       "Irradiance towards a normal from radiance of degree 0 to 1 and a zonal band 2 that band 1 suggests (ZH3)";
@@ -89,7 +89,7 @@ class Zh3 {
 
 // With s = |c_1|^2: the band is |c_1| (0.08 + 0.6 |c_1| / c_00) (3 (c_1 n)^2 / s - 1), here with one division.
 Kernel irradiance_zh3(int /*degree*/) {
-  Kernel kernel = described(1);
+  Kernel kernel = zh3_described(1);
   kernel.results = {parameter(Role::kValue, "irradiance")};
   Builder build(kernel);
   const std::vector<NodeId> c = inputs(build, 0, kCount, "c");
@@ -106,7 +106,7 @@ Kernel irradiance_zh3(int /*degree*/) {
 }
 
 Kernel irradiance_zh3_rgb(int /*degree*/) {
-  Kernel kernel = described(3);
+  Kernel kernel = zh3_described(3);
   kernel.domain += "; all channels share the axis of luminance (Rec. 709), as the source advises";
   kernel.results = {parameter(Role::kValue, "irradiance")};
   kernel.results[0].shape = {3};
