@@ -17,6 +17,7 @@
 #include "prt/mesh/mesh_checksum.hpp"
 #include "prt/say.hpp"
 #include "prt/transfer/checksum.hpp"
+#include "prt/whole_number.hpp"
 
 namespace sh::prt {
 
@@ -125,8 +126,8 @@ std::string to_json(const CheckpointSettings& settings) {
 ShardRecord record_from(const std::string& file, std::string_view data) {
   try {
     const auto json = output::parse_json<nlohmann::ordered_json>(std::string(data));
-    const auto index = json.at("shard").get<std::uint32_t>();
-    const auto count = json.at("shards").get<std::uint32_t>();
+    const auto index = whole_number<std::uint32_t>(json.at("shard"), "shard");
+    const auto count = whole_number<std::uint32_t>(json.at("shards"), "shards");
     if (index >= 1 && index <= count && count >= 2 && count <= kMostShards) {
       return {{index - 1, count}, json.at("command").get<std::vector<std::string>>()};
     }

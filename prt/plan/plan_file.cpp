@@ -17,6 +17,7 @@
 #include "prt/scene/scene_parts.hpp"
 #include "prt/transfer/checksum.hpp"
 #include "prt/transfer/transfer_json.hpp"
+#include "prt/whole_number.hpp"
 
 namespace sh::prt {
 
@@ -69,11 +70,16 @@ Json to_runs(const std::vector<std::uint8_t>& marks) {
   return runs;
 }
 
+template <class Whole>
+Whole whole_from(const nlohmann::json& json, Whole least = 0) {
+  return whole_number<Whole>(json, "a plan with", least);
+}
+
 std::vector<std::uint8_t> from_runs(const nlohmann::json& runs, std::size_t count) {
   std::vector<std::uint8_t> marks(count, 0);
   for (const nlohmann::json& run : runs) {
-    const auto first = run.at(0).get<std::size_t>();
-    const auto last = run.at(1).get<std::size_t>();
+    const auto first = whole_from<std::size_t>(run.at(0));
+    const auto last = whole_from<std::size_t>(run.at(1));
     if (first > last || last > count) throw std::invalid_argument("vertices that the mesh does not have");
     std::fill(marks.begin() + static_cast<std::ptrdiff_t>(first), marks.begin() + static_cast<std::ptrdiff_t>(last), 1);
   }
@@ -88,7 +94,7 @@ LightCoefficients light_from(const nlohmann::json& json, int least) {
 }
 
 ClusterCounts counts_from(const nlohmann::json& json) {
-  const ClusterCounts counts{json.at(0).get<std::uint32_t>(), json.at(1).get<std::uint32_t>()};
+  const ClusterCounts counts{whole_from<std::uint32_t>(json.at(0)), whole_from<std::uint32_t>(json.at(1))};
   if (counts.clusters < 1 || counts.clusters > kMostClusters || counts.vectors > kMostVectors) {
     throw std::invalid_argument("counts of no clusters");
   }
@@ -120,7 +126,8 @@ Plan plan_from(const std::string& file, const nlohmann::json& json, std::size_t 
   plan.reference = json.at("reference_radiance").get<double>();
   plan.beyond = json.at("beyond_asked_degree").get<double>();
   const auto cost_of = [&](const char* which) {
-    return PlanCost{json.at("bytes").at(which).get<std::int64_t>(), json.at("rays").at(which).get<std::int64_t>()};
+    return PlanCost{whole_from<std::int64_t>(json.at("bytes").at(which)),
+                    whole_from<std::int64_t>(json.at("rays").at(which))};
   };
   plan.asked = cost_of("asked");
   plan.planned = cost_of("planned");

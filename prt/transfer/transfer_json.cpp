@@ -13,6 +13,7 @@
 
 #include "numeric/output/printable.hpp"
 #include "prt/transfer/transfer_file.hpp"
+#include "prt/whole_number.hpp"
 
 namespace sh::prt {
 
@@ -22,18 +23,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kBadStorage = "transfer file whose JSON header names a storage that does not exist";
 
-// A whole number. The library would cut 2.5 to 2 and take -1 for 4294967295.
 template <class Whole>
 Whole whole_from(const nlohmann::json& json, Whole least = 0, Whole most = std::numeric_limits<Whole>::max()) {
-  const auto lies_within = [&](auto value) {
-    return std::cmp_less_equal(least, value) && std::cmp_less_equal(value, most);
-  };
-  if (!json.is_number_integer() ||
-      !(json.is_number_unsigned() ? lies_within(json.get<std::uint64_t>()) : lies_within(json.get<std::int64_t>()))) {
-    throw std::invalid_argument(fmt::format(
-        "transfer file whose JSON header has {}, expected a whole number from {} to {}", json.dump(), least, most));
-  }
-  return json.get<Whole>();
+  return whole_number<Whole>(json, "transfer file whose JSON header has", least, most);
 }
 
 // A bound or a residual.

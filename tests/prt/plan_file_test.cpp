@@ -378,6 +378,16 @@ TEST_F(KeptPlan, RefusesNumbersThatNoPlanHas) {
        [](Json& json) {
          json["largest"] = {1, 2};
        }},
+      {" (a plan with 1e+67, expected a whole number", [](Json& json) { json["bytes"]["asked"] = 1e67; }},
+      {" (a plan with -1, expected a whole number", [](Json& json) { json["rays"]["planned"] = -1; }},
+      {" (a plan with 0.5, expected a whole number",
+       [](Json& json) {
+         json["open"] = {{0.5, 2}};
+       }},
+      {" (a plan with 4294967296, expected a whole number",
+       [](Json& json) {
+         json["clusters"] = {{4294967296, 1}};
+       }},
       {"; expected a file", [](Json& json) { json.erase("storage"); }},
       {"; expected a file", [](Json& json) { json["largest"] = "x"; }}};
   for (const auto& [reason, change] : cases) {
