@@ -14,9 +14,11 @@ namespace sh::prt {
 inline void ask_for_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
   constexpr std::uintptr_t kPage = std::uintptr_t{2} << 20U;
-  const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + kPage - 1) / kPage * kPage;
-  const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / kPage * kPage;
-  if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);  // advice: may fail
+  const auto address = reinterpret_cast<std::uintptr_t>(memory);
+  const auto begin = (address + kPage - 1) / kPage * kPage;
+  const auto end = (address + bytes) / kPage * kPage;
+  if (begin >= end) return;
+  madvise(static_cast<char*>(memory) + (begin - address), end - begin, MADV_HUGEPAGE);  // advice: may fail
 #endif
 }
 

@@ -137,9 +137,11 @@ std::vector<float> decode(const Encoded& encoded, const TransferShape& shape) {
 
 Encoded with_columns(const Encoded& encoded, const TransferShape& shape, const std::vector<std::uint32_t>& kept) {
   const std::vector<std::size_t> columns = stored_columns(shape);
+  const std::size_t of_row = shape.columns();
+  if (of_row == 0) return encoded;
   std::vector<std::size_t> chosen;  // among the columns
   for (std::size_t j = 0; j < columns.size(); ++j) {
-    if (std::binary_search(kept.begin(), kept.end(), columns[j] % shape.columns())) chosen.push_back(j);
+    if (std::binary_search(kept.begin(), kept.end(), columns[j] % of_row)) chosen.push_back(j);
   }
   const std::size_t size = bytes_of(shape.storage.element);
   Encoded some;

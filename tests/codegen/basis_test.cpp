@@ -57,6 +57,17 @@ TEST(BasisRecipes, TheFastestErrsLessThanTwiceTheRecurrence) {
   }
 }
 
+// On the inputs of the check; from degree 4 on the recurrence in l amplifies what it starts from.
+TEST(BasisRecipes, ChebyshevPolynomialsErrLessThanTheRecurrence) {
+  for (int degree = 4; degree <= recipes::kLastChebyshev; ++degree) {
+    const FinishedKernel control = finish_kernel(basis(), find_recipe(basis(), degree, "recurrence"), degree);
+    const FinishedKernel ours = finish_kernel(basis(), find_recipe(basis(), degree, "chebyshev"), degree);
+    EXPECT_LE(ours.in_float.total.eps, 0.8 * control.in_float.total.eps) << degree;
+    EXPECT_LE(ours.in_double.total.eps, 0.8 * control.in_double.total.eps) << degree;
+    EXPECT_LE(ours.cost.operations(), 1.15 * control.cost.operations()) << degree;  // of which more are contracted
+  }
+}
+
 TEST(BasisRecipes, TheAccurateOneStaysBelowEightEps) {
   for (int degree = 0; degree <= basis().largest_written; ++degree) {
     const FinishedKernel accurate = preferred_kernel(basis(), degree, Prefer::kAccuracy);
