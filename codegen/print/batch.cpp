@@ -98,16 +98,32 @@ $declarations
                 {{"stamp", kStamp}, {"declarations", declarations}});
 }
 
+// "NAME[] = SH_BATCH_EVERY(table);" of a driver, and which of its tables serves.
+struct Tables {
+  std::string definition;
+  std::string chosen;
+};
+
+Tables tables_of(const Driver& driver, const std::string& type, const std::string& name, const std::string& table) {
+  Tables tables{"  static constexpr " + type + " " + name + "[] = SH_BATCH_EVERY(" + table + ");\n", name};
+  if (driver.spec.narrow >= 0) {
+    tables.definition += "  static constexpr " + type + " " + name + "Narrow[] = SH_BATCH_NARROW(" + table + ");\n";
+    tables.chosen = "degree <= " + std::to_string(driver.spec.narrow) + " ? " + name + "Narrow : " + name;
+  }
+  return tables;
+}
+
 // The way that needs no driver; empty if there is none.
 std::string direct_call(const Driver& driver, const Overload& types) {
   if (!driver.spec.groups || types.first == "Half") return {};
   std::string inputs;
   for (const Record& record : signature_of(driver.last()).inputs) inputs += ", " + record.name;
-  return filled(R"(  static constexpr const detail::DirectKernels<$t>* kDirect[] = SH_BATCH_EVERY($table);
-  if (detail::run_direct(kDirect, degree, $degree, n, $out$inputs)) return;
+  const Tables tables = tables_of(driver, "const detail::DirectKernels<" + types.scalar + ">*", "kDirect",
+                                  table_of_direct(driver, types.scalar));
+  return filled(R"($tables  if (detail::run_direct($chosen, degree, $degree, n, $out$inputs)) return;
 )",
-                {{"t", types.scalar},
-                 {"table", table_of_direct(driver, types.scalar)},
+                {{"tables", tables.definition},
+                 {"chosen", tables.chosen},
                  {"degree", std::to_string(driver.last().degree)},
                  {"out", signature_of(driver.last()).out},
                  {"inputs", inputs}});
@@ -124,14 +140,16 @@ std::string definition(const Driver& driver, const Overload& types) {
                                       : s.inputs[j].shared ? "shared(" + name + ")"
                                                            : name);
   }
+  const Tables tables = tables_of(driver, "detail::Run<" + types.scalar + ">", "kEvery", driver.name);
   return filled(R"(
 $signature {
-$direct  static constexpr detail::Run<$t> kEvery[] = SH_BATCH_EVERY($name);
-  detail::run<$t>("$name", kEvery, {degree, n, {$inputs}, $out$half}, $count, $degree, $size);
+$direct$tables  detail::run<$t>("$name", $chosen, {degree, n, {$inputs}, $out$half}, $count, $degree, $size);
 }
 )",
                 {{"signature", public_signature(driver, types)},
                  {"direct", direct_call(driver, types)},
+                 {"tables", tables.definition},
+                 {"chosen", tables.chosen},
                  {"t", types.scalar},
                  {"name", driver.name},
                  {"inputs", inputs},

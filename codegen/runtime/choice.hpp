@@ -9,20 +9,26 @@
 
 #include "call.hpp"
 
-// {the driver or table of every instruction set}, in the order of InstructionSet.
+// {the driver or table of every instruction set}, in the order of InstructionSet; the last one: of AVX-512 where the
+// processor works on its registers in two halves. SH_BATCH_NARROW: of what is faster on 8 lanes there.
 #if defined(SH_BATCH_X86)
 #define SH_BATCH_EVERY(name) \
-  { baseline::name, avx2::name, avx512::name }
+  { baseline::name, avx2::name, avx512::name, avx512::name }
+#define SH_BATCH_NARROW(name) \
+  { baseline::name, avx2::name, avx512::name, avx2::name }
 #else
 #define SH_BATCH_EVERY(name) \
   { baseline::name }
+#define SH_BATCH_NARROW(name) SH_BATCH_EVERY(name)
 #endif
 
 namespace sh::batch::detail {
 
-/// The instruction set in use, once it has been chosen.
+/// The place in these tables of the instruction set in use, once it has been chosen.
 constexpr int kNotChosen = -1;
 extern std::atomic<int> in_use;
+/// The same, chosen if need be.
+int chosen() noexcept;
 
 /// Values of an output record: sets of bands^2 and some more; none where the output is a sum.
 struct OutputSize {
@@ -45,7 +51,7 @@ using Run = void (*)(const Call<T>&);
 template <class T>
 void run(const char* driver, const Run<T>* every, Call<T>&& call, int inputs, int largest_degree, OutputSize size) {
   check(driver, call, inputs, largest_degree, size);
-  every[static_cast<int>(instruction_set())](call);
+  every[chosen()](call);
 }
 
 /// Whether a kernel can work on the blocks as they are.

@@ -34,7 +34,7 @@ template <class Kernel, class... Arrays>
 [[gnu::cold, gnu::noinline]] void call_first(const char* function, const Kernel* const* tables, int degree, int largest,
                                              Arrays... arrays) {
   detail::check_degree(function, degree, largest);
-  tables[static_cast<int>(instruction_set())][degree](arrays...);
+  tables[detail::chosen()][degree](arrays...);
 }
 
 template <class Kernel, class... Arrays>

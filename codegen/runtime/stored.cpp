@@ -33,7 +33,7 @@ void run(const StoredBlocks<Stored>& transfer, std::size_t blocks, const float* 
   if (transfer.data == nullptr || !has_scales || light == nullptr || out == nullptr) {
     throw std::invalid_argument("relight_stored: an array is missing");
   }
-  kEvery[static_cast<int>(instruction_set())](transfer, blocks, light, factors, out, past_caches);
+  kEvery[detail::chosen()](transfer, blocks, light, factors, out, past_caches);
 }
 
 }  // namespace

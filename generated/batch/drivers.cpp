@@ -127,16 +127,20 @@ void relight_colored(const detail::Call<T>& call);
 
 void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
   static constexpr const detail::DirectKernels<float>* kDirect[] = SH_BATCH_EVERY(basis_float);
-  if (detail::run_direct(kDirect, degree, 10, n, out, directions)) return;
+  static constexpr const detail::DirectKernels<float>* kDirectNarrow[] = SH_BATCH_NARROW(basis_float);
+  if (detail::run_direct(degree <= 9 ? kDirectNarrow : kDirect, degree, 10, n, out, directions)) return;
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(basis);
-  detail::run<float>("basis", kEvery, {degree, n, {directions}, out}, 1, 10, {1, 0});
+  static constexpr detail::Run<float> kEveryNarrow[] = SH_BATCH_NARROW(basis);
+  detail::run<float>("basis", degree <= 9 ? kEveryNarrow : kEvery, {degree, n, {directions}, out}, 1, 10, {1, 0});
 }
 
 void basis(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
   static constexpr const detail::DirectKernels<double>* kDirect[] = SH_BATCH_EVERY(basis_double);
-  if (detail::run_direct(kDirect, degree, 10, n, out, directions)) return;
+  static constexpr const detail::DirectKernels<double>* kDirectNarrow[] = SH_BATCH_NARROW(basis_double);
+  if (detail::run_direct(degree <= 9 ? kDirectNarrow : kDirect, degree, 10, n, out, directions)) return;
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(basis);
-  detail::run<double>("basis", kEvery, {degree, n, {directions}, out}, 1, 10, {1, 0});
+  static constexpr detail::Run<double> kEveryNarrow[] = SH_BATCH_NARROW(basis);
+  detail::run<double>("basis", degree <= 9 ? kEveryNarrow : kEvery, {degree, n, {directions}, out}, 1, 10, {1, 0});
 }
 
 void basis_gradient(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
