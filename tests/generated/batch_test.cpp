@@ -306,6 +306,36 @@ TEST(Batch, RefusesWhatItCannotDoInOneLine) {
   EXPECT_EQ(message_of([&] { batch::basis(2, 0, Records<const float>{}, Records<float>{}); }), "nothing thrown");
 }
 
+// Where AVX-512 is slow, it may take the kernels of AVX2.
+template <class T>
+void expect_the_basis_of_avx2() {
+  constexpr std::size_t kCount = 37;
+  std::vector<T> directions;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const T z = T(1) - T(2 * i + 1) / T(kCount);
+    const T r = std::sqrt(1 - z * z);
+    directions.insert(directions.end(), {r * std::cos(T(2.4) * T(i)), r * std::sin(T(2.4) * T(i)), z});
+  }
+  for (int degree = 0; degree <= 10; ++degree) {
+    const auto size = static_cast<std::size_t>((degree + 1) * (degree + 1));
+    std::vector<T> values[2] = {std::vector<T>(kCount * size), std::vector<T>(kCount * size)};
+    batch::use_instruction_set(InstructionSet::kAvx2);
+    batch::basis(degree, kCount, batch::plain<const T>(directions.data()), batch::plain(values[0].data()));
+    batch::use_instruction_set(InstructionSet::kAvx512);
+    EXPECT_EQ(batch::instruction_set(), InstructionSet::kAvx512);
+    batch::basis(degree, kCount, batch::plain<const T>(directions.data()), batch::plain(values[1].data()));
+    EXPECT_EQ(values[0], values[1]) << degree;
+  }
+}
+
+TEST(Batch, TheBasisHasTheBitsOfAvx2OnAvx512) {
+  const InstructionSet before = batch::instruction_set();
+  if (!batch::available(InstructionSet::kAvx512)) GTEST_SKIP() << "needs AVX-512";
+  expect_the_basis_of_avx2<float>();
+  expect_the_basis_of_avx2<double>();
+  batch::use_instruction_set(before);
+}
+
 TEST(Batch, ChoosesTheWidestInstructionSetUnlessTold) {
   const InstructionSet widest = batch::instruction_set();
   on_every_set([&] { EXPECT_GE(widest, batch::instruction_set()); });
