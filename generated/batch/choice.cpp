@@ -83,7 +83,7 @@ void check(const char* driver, Call<T>& call, int inputs, int largest_degree, Ou
   bool missing = call.out.data == nullptr;
   for (int j = 0; j < inputs; ++j) missing = missing || (call.in[j].data == nullptr && (j > 0 || call.half == nullptr));
   if (missing) refuse(driver, "expected arrays of " + std::to_string(call.n) + " records, got a null pointer");
-  static const double kLargestCached = static_cast<double>(largest_cached());
+  static const auto kLargestCached = static_cast<double>(largest_cached());
   const auto bands = static_cast<std::size_t>(call.degree) + 1;
   const std::size_t record = (size.sets * bands * bands + size.more) * sizeof(T);
   call.stream = static_cast<double>(call.n) * static_cast<double>(record) > kLargestCached;

@@ -165,7 +165,8 @@ TEST(StoredRows, GiveTheRadianceOfCompleteRows) {
 // More rows than the caches hold go past them.
 TEST(StoredRows, ThatOutgrowTheCachesGiveTheRadianceOfCompleteRows) {
   for (const TransferKind* kind : {&kShadowed, &kInterreflected}) {
-    const std::size_t vertices = (std::size_t{33} << 20U) / (2 * kind->shape(kDegree).length());
+    const std::size_t vertices =
+        (std::size_t{33} << 20U) / (2 * std::max<std::size_t>(1, kind->shape(kDegree).length()));
     Transfer complete = random_transfer(*kind, kDegree, vertices);
     complete.shape.storage.element = Element::kHalf;
     Transfer stored = complete;
