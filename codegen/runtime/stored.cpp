@@ -27,11 +27,12 @@ void run(const StoredBlocks<Stored>& transfer, std::size_t blocks, const float* 
          bool past_caches) {
   using Kernel = void (*)(const StoredBlocks<Stored>&, std::size_t, const float*, const float*, float*, bool);
   static constexpr Kernel kEvery[] = SH_BATCH_EVERY(relight_stored<Stored>);
-  if (transfer.rows != 1 && transfer.rows != 3) throw std::invalid_argument("relight_stored: expected 1 or 3 rows");
+  if (transfer.rows != 1 && transfer.rows != 3)
+    throw std::invalid_argument("sh::batch::relight_stored: expected 1 or 3 rows");
   if (blocks == 0) return;
   const bool has_scales = sizeof(Stored) > 1 || transfer.scales != nullptr;
   if (transfer.data == nullptr || !has_scales || light == nullptr || out == nullptr) {
-    throw std::invalid_argument("relight_stored: an array is missing");
+    throw std::invalid_argument("sh::batch::relight_stored: expected arrays, got a null pointer");
   }
   kEvery[detail::chosen()](transfer, blocks, light, factors, out, past_caches);
 }
