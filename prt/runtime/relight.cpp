@@ -74,10 +74,8 @@ PreparedLight::PreparedLight(const Transfer& transfer, const LightCoefficients& 
   }
 }
 
-/// The sums of `count` complete rows of a transfer of this shape, three a row. Number: float, or batch::Half.
-template <class Number>
-void sums_of(const TransferShape& shape, const Number* rows, std::size_t count, const PreparedLight& light,
-             float* out) {
+/// The sums of `count` complete rows of a transfer of this shape, three a row.
+void sums_of(const TransferShape& shape, const float* rows, std::size_t count, const PreparedLight& light, float* out) {
   if (shape.channels == 3) {
     batch::relight_colored(shape.degree, count, batch::plain(rows), light.complete.data(), batch::plain(out));
   } else {
@@ -110,9 +108,6 @@ std::size_t relight_blocks(Element element, const Rows& rows, std::size_t first,
 /// The same for rows `first` and on, as they are stored; `first` begins a block.
 void sums_of(const TransferShape& shape, const Rows& rows, std::size_t first, std::size_t count,
              const PreparedLight& light, float* out) {
-  if (const std::uint16_t* halves = rows.halves(first)) {
-    return sums_of(shape, reinterpret_cast<const batch::Half*>(halves), count, light, out);
-  }
   const std::size_t done = relight_blocks(shape.storage.element, rows, first, count, light, nullptr, out, false);
   rows.each(first + done, count - done, [&](std::size_t v, std::size_t some, const float* numbers) {
     sums_of(shape, numbers, some, light, out + kChannels * (v - first));

@@ -48,11 +48,6 @@ Rows::Rows(const std::vector<float>& complete, const Encoded& stored, const Tran
 
 std::size_t Rows::bytes() const { return stored_ != nullptr ? stored_->data.size() : count_ * length_ * sizeof(float); }
 
-const std::uint16_t* Rows::halves(std::size_t first) const {
-  if (stored_ == nullptr || blocks_ || element_ != Element::kHalf || !places_.empty()) return nullptr;
-  return reinterpret_cast<const std::uint16_t*>(stored_->data.data()) + first * columns_;
-}
-
 std::vector<float> Rows::all() const {
   std::vector<float> numbers;
   numbers.reserve(count_ * length_);

@@ -24,8 +24,6 @@ class Rows {
   [[nodiscard]] std::size_t bytes() const;
   /// The complete rows `first` to first + count - 1, (count, length): in `room` if they are stored otherwise.
   [[nodiscard]] const float* some(std::size_t first, std::size_t count, std::vector<float>& room) const;
-  /// The same where rows are stored in half precision, complete and by their bits; null where they are not.
-  [[nodiscard]] const std::uint16_t* halves(std::size_t first) const;
   /// How many receivers are in whole blocks (storage.hpp): the first ones, or none.
   [[nodiscard]] std::size_t in_blocks() const { return blocks_ ? count_ / kReceiversOfBlock * kReceiversOfBlock : 0; }
   /// The block that begins with receiver `first`, as it is stored, and the scales of 8 bits.
