@@ -248,6 +248,7 @@ std::vector<std::uint32_t> add_atlas(Mesh& mesh, std::size_t faces, int size, co
                     name, size, size));
   }
   mesh.atlases.heads.push_back(head);
+  if (!mesh.halving.empty()) mesh.halving.ends.resize(mesh.positions.size(), {kNoVertex, kNoVertex});
   return faces_of_texels;
 }
 

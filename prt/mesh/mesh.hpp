@@ -17,6 +17,7 @@
 #include "prt/material/translucence.hpp"
 #include "prt/mesh/atlas.hpp"
 #include "prt/mesh/frame.hpp"
+#include "prt/mesh/halving.hpp"
 #include "prt/mesh/node.hpp"
 
 namespace sh::prt {
@@ -55,6 +56,9 @@ struct Mesh {
   Translucences translucences;  // not in files
   Atlases atlases;
   std::vector<MeshNode> nodes;  // of the files and primitives; faces made in code, such as the ground, belong to none
+  Halving halving;              // empty if no face was halved; not in files
+  std::vector<float> reach;  // (vertices) reaches() of the mesh from which vertices were left out, else empty; not in
+                             // files
   Frame frame;
 
   /// A vertex in the world, in the unit of the scene.
@@ -66,7 +70,18 @@ struct Mesh {
   }
 };
 
-inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;
+/// Calls `visit` with every array that has an entry for each vertex, or is empty. `AnyMesh` is Mesh, const or not.
+template <class AnyMesh, class Visit>
+void visit_vertex_arrays(AnyMesh& mesh, const Visit& visit) {
+  for (auto* vectors : {&mesh.positions, &mesh.normals, &mesh.geometric_normals, &mesh.albedo, &mesh.emission,
+                        &mesh.mirror, &mesh.specular, &mesh.tint}) {
+    visit(*vectors);
+  }
+  visit(mesh.exponent);
+  for (auto* numbers : {&mesh.brdf, &mesh.normal_map, &mesh.albedo_map, &mesh.translucence, &mesh.atlas})
+    visit(*numbers);
+  for (auto* places : {&mesh.texture, &mesh.chart}) visit(*places);
+}
 
 template <class Scalar>
 Eigen::AlignedBox<Scalar, 3> bounding_box(const std::vector<Eigen::Matrix<Scalar, 3, 1>>& positions) {
@@ -83,6 +98,10 @@ inline void leave_out_gloss(Mesh& mesh) {
   mesh.normal_map.clear();
   mesh.normal_maps = {};
 }
+
+/// The reach of the mesh around each vertex, by which ray starts and near hits are measured: the mean distance to the centers
+/// of its faces, 0 without faces; Mesh::reach if there is one.
+std::vector<float> reaches(const Mesh& mesh);
 
 /// All vertices in the world.
 std::vector<Eigen::Vector3d> points_of(const Mesh& mesh);

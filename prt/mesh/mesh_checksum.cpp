@@ -21,7 +21,8 @@ std::string sum_of_all(const Vectors&... vectors) {
 MeshChecksums checksums_of(const Mesh& mesh) {
   [[maybe_unused]] const auto& [positions, normals, geometric_normals, albedo, emission, mirror, specular, exponent,
                                 brdf, texture, normal_map, albedo_map, tint, translucence, chart, atlas, faces, remap,
-                                brdfs, normal_maps, albedo_maps, translucences, atlases, nodes, frame] = mesh;
+                                brdfs, normal_maps, albedo_maps, translucences, atlases, nodes, halving, reach, frame] =
+      mesh;
   const std::vector<double> place = {frame.origin.x(), frame.origin.y(), frame.origin.z(), frame.unit};
   return {sum_of_all(positions, normals, geometric_normals, mirror, faces, atlases.reach),
           sum_of_all(positions, normals, geometric_normals, albedo, emission, mirror, specular, exponent, brdf, texture,

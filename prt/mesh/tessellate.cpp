@@ -10,15 +10,12 @@
 
 #include "numeric/output/progress.hpp"
 #include "prt/mesh/corners.hpp"
+#include "prt/mesh/split_face.hpp"
 #include "prt/mesh/weld.hpp"
 
 namespace sh::prt {
 
 namespace {
-
-using Triangle = std::array<Eigen::Vector3f, 3>;
-
-Eigen::Vector3f middle_of(const Eigen::Vector3f& a, const Eigen::Vector3f& b) { return 0.5F * (a + b); }
 
 // An edge without a point between its ends is never halved, so that splitting ends at any limit.
 bool is_long(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const EdgeLimit& limit) {
@@ -26,43 +23,9 @@ bool is_long(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const EdgeLimit
   return (a - b).norm() > limit(middle) && middle != a && middle != b;
 }
 
-// The parts of a face. Point 0..2 is a corner; point 3 + k is the middle of edge k, which runs from corner k to k + 1.
-struct Parts {
-  std::vector<std::array<std::size_t, 3>> faces;
-  std::size_t first = 0;  // the edge whose middle is made first
-  std::array<bool, 3> is_split{};
-};
-
-void split(const Triangle& corners, const EdgeLimit& limit, Parts& parts) {
-  parts.faces.clear();
-  parts.first = 0;
+void split(const Triangle& corners, const EdgeLimit& limit, FaceParts& parts) {
   for (std::size_t k = 0; k < 3; ++k) parts.is_split[k] = is_long(corners[k], corners[(k + 1) % 3], limit);
-  const auto count = std::count(parts.is_split.begin(), parts.is_split.end(), true);
-  if (count == 0) {
-    parts.faces.assign(1, {0, 1, 2});
-  } else if (count == 3) {
-    parts.faces.assign({{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}});
-  } else {
-    // Edge `first` is the only split one, or the edge before it is the only whole one.
-    std::size_t& first = parts.first;
-    while (count == 1 ? !parts.is_split[first] : parts.is_split[(first + 2) % 3]) ++first;
-    const std::array<std::size_t, 3> f = {first, (first + 1) % 3, (first + 2) % 3};
-    const std::size_t m = 3 + f[0];
-    if (count == 1) {
-      parts.faces.assign({{f[0], m, f[2]}, {m, f[1], f[2]}});
-      return;
-    }
-    // The quadrilateral f0 m n f2 is cut along its shorter diagonal.
-    const std::size_t n = 3 + f[1];
-    const Eigen::Vector3f at_m = middle_of(corners[f[0]], corners[f[1]]);
-    const Eigen::Vector3f at_n = middle_of(corners[f[1]], corners[f[2]]);
-    parts.faces.assign(1, {m, f[1], n});
-    if ((corners[f[0]] - at_n).norm() <= (at_m - corners[f[2]]).norm()) {
-      parts.faces.insert(parts.faces.end(), {{f[0], m, n}, {f[0], n, f[2]}});
-    } else {
-      parts.faces.insert(parts.faces.end(), {{f[0], m, f[2]}, {m, n, f[2]}});
-    }
-  }
+  split_face(corners, parts);
 }
 
 Triangle corners_of(const Mesh& mesh, const Face& face) {
@@ -73,7 +36,7 @@ Triangle corners_of(const Mesh& mesh, const Face& face) {
 std::size_t count_faces(const Mesh& mesh, const EdgeLimit& limit, std::size_t most) {
   std::size_t count = 0;
   std::vector<Triangle> open;
-  Parts parts;
+  FaceParts parts;
   for (const Face& face : mesh.faces) {
     open.assign(1, corners_of(mesh, face));
     while (!open.empty() && count + open.size() <= most) {
@@ -119,6 +82,9 @@ class Splitter {
  public:
   Splitter(Mesh& mesh, const EdgeLimit& limit) : mesh_(mesh), limit_(limit), origins_(mesh.faces.size()) {
     std::iota(origins_.begin(), origins_.end(), 0U);
+    mesh_.halving = {};
+    mesh_.halving.ends.assign(mesh.positions.size(), {kNoVertex, kNoVertex});
+    for (const Face& face : mesh.faces) mesh_.halving.faces.push_back({face, 0});
   }
 
   // Splits every face along its long edges once; false if there was none.
@@ -139,8 +105,12 @@ class Splitter {
     return changed;
   }
 
-  /// The original face of each face.
-  std::vector<std::uint32_t> take_origins() { return std::move(origins_); }
+  /// The original face of each face. The parts of a face stand together.
+  std::vector<std::uint32_t> finish() {
+    for (auto f = static_cast<std::uint32_t>(origins_.size()); f-- > 0;) mesh_.halving.faces[origins_[f]].first = f;
+    if (origins_.size() == mesh_.halving.faces.size()) mesh_.halving = {};
+    return std::move(origins_);
+  }
 
  private:
   std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
@@ -148,6 +118,7 @@ class Splitter {
     const auto [entry, added] = middles_.try_emplace({std::min(a, b), std::max(a, b)}, next);
     if (added) {
       const Eigen::Vector3f normal = mesh_.normals[a] + mesh_.normals[b];
+      mesh_.halving.ends.push_back({a, b});
       mesh_.positions.emplace_back(middle_of(mesh_.positions[a], mesh_.positions[b]));
       mesh_.normals.push_back(normal.norm() > 1e-3F ? normal.normalized() : mesh_.normals[a]);
       mesh_.albedo.emplace_back(0.5F * (mesh_.albedo[a] + mesh_.albedo[b]));
@@ -171,7 +142,7 @@ class Splitter {
   Mesh& mesh_;
   const EdgeLimit& limit_;
   std::vector<std::uint32_t> origins_;
-  Parts parts_;
+  FaceParts parts_;
   std::unordered_map<std::array<std::uint32_t, 2>, std::uint32_t, WordsHash> middles_;
 };
 
@@ -187,7 +158,7 @@ std::vector<std::uint32_t> tessellate(Mesh& mesh, const EdgeLimit& limit, const 
   while (splitter.split_once()) {
   }
   set_geometric_normals(mesh);
-  return splitter.take_origins();
+  return splitter.finish();
 }
 
 }  // namespace sh::prt

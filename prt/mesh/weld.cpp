@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "prt/mesh/corners.hpp"
+#include "prt/mesh/halving.hpp"
 
 namespace sh::prt {
 namespace {
@@ -164,6 +165,23 @@ void set_geometric_normals(Mesh& mesh) {
   }
 }
 
+std::vector<float> reaches(const Mesh& mesh) {
+  if (!mesh.reach.empty()) return mesh.reach;
+  std::vector<float> distance(mesh.positions.size(), 0.0F);
+  std::vector<int> faces(mesh.positions.size(), 0);
+  for (const Face& face : mesh.faces) {
+    const Eigen::Vector3f middle = (mesh.positions[face[0]] + mesh.positions[face[1]] + mesh.positions[face[2]]) / 3.0F;
+    for (const std::uint32_t v : face) {
+      distance[v] += (middle - mesh.positions[v]).norm();
+      ++faces[v];
+    }
+  }
+  for (std::size_t v = 0; v < distance.size(); ++v) {
+    if (faces[v] > 0) distance[v] /= static_cast<float>(faces[v]);
+  }
+  return distance;
+}
+
 void append(Mesh& mesh, const Mesh& part) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   const Eigen::Vector3f black = Eigen::Vector3f::Zero();
@@ -182,6 +200,7 @@ void append(Mesh& mesh, const Mesh& part) {
   append_all_or_zeros(mesh.translucence, first, renumbered(part.translucence, part.translucences, mesh.translucences),
                       part.positions.size(), std::uint16_t{0});
   append_atlases(mesh, part);
+  append_halving(mesh, part);
   append_all(mesh.positions, part.positions);
   append_all(mesh.normals, part.normals);
   append_all(mesh.geometric_normals, part.geometric_normals);
@@ -209,24 +228,25 @@ void add_backs(Mesh& mesh, const std::vector<std::uint8_t>& is_two_sided) {
   const auto back_of = [&](std::uint32_t front) {
     if (backs[front] == kNoVertex) {
       backs[front] = static_cast<std::uint32_t>(mesh.positions.size());
-      mesh.positions.emplace_back(Eigen::Vector3f(mesh.positions[front]));
-      mesh.normals.emplace_back(-mesh.normals[front]);
-      mesh.albedo.emplace_back(Eigen::Vector3f(mesh.albedo[front]));
-      if (!mesh.texture.empty()) mesh.texture.emplace_back(Eigen::Vector2f(mesh.texture[front]));
-      if (!mesh.chart.empty()) mesh.chart.emplace_back(Eigen::Vector2f(mesh.chart[front]));
-      repeat_finish(mesh, front);
+      visit_vertex_arrays(mesh, [front](auto& values) {
+        if (!values.empty()) values.push_back(values[front]);
+      });
+      mesh.normals.back() = -mesh.normals[front];
     }
     return backs[front];
   };
   const std::size_t faces = mesh.faces.size();
+  std::vector<std::uint32_t> back_faces(faces, kNoFace);
   for (std::size_t f = 0; f < faces; ++f) {
     if (is_two_sided[f] != 0) {
+      back_faces[f] = static_cast<std::uint32_t>(mesh.faces.size());
       const Face front = mesh.faces[f];
       const std::uint32_t first = back_of(front[0]);
       const std::uint32_t second = back_of(front[2]);
       mesh.faces.push_back({first, second, back_of(front[1])});
     }
   }
+  add_backs(mesh.halving, backs, back_faces);
   set_geometric_normals(mesh);
 }
 

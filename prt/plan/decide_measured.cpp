@@ -134,8 +134,8 @@ void decide_bounces(Draft& draft) {
   BakeOptions without = draft.measurement->reference_options(draft.asked);
   without.kind = draft.bake.kind->without_bounces;
   std::vector<float> rows = draft.measurement->rows(without);
-  const double returned =
-      difference(draft, radiances_of(draft, rows, without.kind->shape(draft.asked.degree)), draft.reference);
+  const double returned = difference(draft, radiances_of(draft, rows, without.kind->shape(draft.asked.degree)),
+                                     radiances_of(draft, draft.many, draft.traced_shape()));
   if (draft.shines() || draft.has_mirrors() || returned > draft.share(kPart)) {
     loosen_tolerance(draft, returned);
     return;

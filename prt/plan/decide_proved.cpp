@@ -44,7 +44,7 @@ double angle_within(const Draft& draft, double error) {
 double widest_angle(const Draft& draft) {
   double widest = 0.0;
   for (std::size_t v = 0; v < draft.starts.size(); ++v) {
-    if (draft.plan.open[v] != 0) {
+    if (draft.plan.open[v] != 0 && draft.keeps(v)) {
       const Eigen::Vector3f apart = draft.scene.mesh.normals[v] - draft.scene.mesh.geometric_normals[v];
       widest = std::max(widest, 1.01 * static_cast<double>(apart.norm()));  // chord to angle, up to kWidestAngle
     }
@@ -75,10 +75,10 @@ void decide_analytic(Draft& draft) {
   const bool may_differ = draft.light && !draft.bake.kind->is_glossy();
   const double angle = may_differ ? angle_within(draft, draft.share(kPart)) : kExactAngle;
   draft.plan.open = open_vertices(draft.scene.mesh, draft.starts, angle);
-  const std::size_t open = draft.starts.size() - draft.traced();
+  const std::size_t open = draft.receivers() - draft.traced();
   const double widest = widest_angle(draft);
   const bool exact = widest <= 1.01 * kExactAngle;
-  draft.decide("analytic", fmt::format("{} of {} vertices", open, draft.starts.size()),
+  draft.decide("analytic", fmt::format("{} of {} vertices", open, draft.receivers()),
                exact ? "nothing lies above their horizon: transfer in closed form, no rays"
                      : fmt::format("nothing lies above their horizon: transfer in closed form, no rays; normals differ "
                                    "by up to {:.2g} degrees from the surface's",
@@ -146,7 +146,7 @@ void decide_clusters(Draft& draft) {
   if (draft.asked.compress.clusters > 0) counts = {draft.asked.compress};
   if (draft.asked.compress_by_plan) counts.assign(kLadder.begin(), kLadder.end());
   if (counts.empty()) return;
-  const auto bytes = [&](ClusterCounts some) { return draft.stored_shape(some).stored_bytes(draft.starts.size()); };
+  const auto bytes = [&](ClusterCounts some) { return draft.stored_shape(some).stored_bytes(draft.receivers()); };
   const std::size_t rows = bytes({});
   const std::size_t least = bytes(counts.front());
   std::erase_if(counts, [&](ClusterCounts some) { return bytes(some) >= rows; });

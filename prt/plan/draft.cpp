@@ -38,6 +38,11 @@ void Draft::start() {
   plan.asked = plan.planned = before_ = cost();
 }
 
+void Draft::take_reference() {
+  many = measurement->rows(measurement->reference_options(asked));
+  reference = measurement->own_radiances(many, traced_shape());
+}
+
 bool Draft::allows(std::string_view name) const {
   return std::find(options.without.begin(), options.without.end(), name) == options.without.end();
 }
@@ -59,12 +64,12 @@ PlanCost Draft::cost() const {
   const int apart = bake.kind->stores_matrices() && fewer == 0 ? bake.directions : fewer;
   double rays = 0.0;
   for (std::size_t v = 0; v < starts.size(); ++v) {
-    if (plan.open[v] != 0) continue;
+    if (plan.open[v] != 0 || !keeps(v)) continue;
     const double again = measurement ? 1.0 + measurement->blocked(v) : 1.0;
     const bool all_again = measurement && (always || measurement->is_nearly_dark(v));
     rays += upward_[v] * (static_cast<double>(bake.directions) * (all_again ? again : 1.0) + apart * again);
   }
-  return {static_cast<std::int64_t>(stored_shape(clusters).stored_bytes(starts.size())),
+  return {static_cast<std::int64_t>(stored_shape(clusters).stored_bytes(receivers())),
           std::llround(correction_ * rays)};
 }
 
@@ -82,12 +87,20 @@ RowShape Draft::stored_shape(ClusterCounts counts) const {
   Element& element = stored.numbers.storage.element;
   if (!stored.matrices || element == Element::kSingle) element = Element::kHalf;
   TransferShape& rows = stored.matrices ? *stored.matrices : stored.numbers;
-  rows.storage.clusters = static_cast<std::uint32_t>(std::min<std::size_t>(counts.clusters, starts.size()));
+  rows.storage.clusters = static_cast<std::uint32_t>(std::min<std::size_t>(counts.clusters, receivers()));
   rows.storage.vectors = static_cast<std::uint32_t>(std::min<std::size_t>(counts.vectors, rows.length()));
   return stored;
 }
 
-std::size_t Draft::traced() const { return std::count(plan.open.begin(), plan.open.end(), 0); }
+std::size_t Draft::receivers() const {
+  return plan.receivers.empty() ? starts.size() : std::count(plan.receivers.begin(), plan.receivers.end(), 1);
+}
+
+std::size_t Draft::traced() const {
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < starts.size(); ++v) count += plan.open[v] == 0 && keeps(v) ? 1 : 0;
+  return count;
+}
 
 double Draft::relative(double product) const { return static_cast<double>(albedo) * product / plan.reference; }
 
@@ -130,7 +143,8 @@ double Draft::error_along(int directions) const {
   if (!allows("directions")) {
     BakeOptions same = asked;
     same.directions = directions;
-    const Measurement::Radiances whole = radiances(measurement->rows(same), {*asked.kind, scene.mesh, asked.degree});
+    const Measurement::Radiances whole =
+        measurement->own_radiances(measurement->rows(same), {*asked.kind, scene.mesh, asked.degree});
     for (std::size_t i = 0; i < error.size(); ++i) error[i] -= whole[i];
     return measurement->error(error) + loosened + room_for_clusters;
   }

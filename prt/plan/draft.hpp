@@ -27,6 +27,7 @@ struct Draft {
   Plan plan;
   double left = 0.0;      // of the budget
   double reserved = 0.0;  // part of `left` that is reserved for directions
+  bool needs_all_receivers = false;
   // Only set for a plan with a budget:
   std::optional<TurningLight> light;  // of the asked degree
   std::optional<Measurement> measurement;
@@ -40,6 +41,8 @@ struct Draft {
 
   /// Makes the current request the baseline for savings.
   void start();
+  /// Measures the asked bake along many directions, on the probe as it is.
+  void take_reference();
   /// The fraction `part` of the unreserved budget.
   [[nodiscard]] double share(double part) const { return part * (left - reserved); }
   /// False if the user skips this decision.
@@ -55,7 +58,9 @@ struct Draft {
   /// The shape of rows after the decisions so far, and as a file stores them in so many clusters, if any.
   [[nodiscard]] RowShape row_shape() const { return stored_shape({}); }
   [[nodiscard]] RowShape stored_shape(ClusterCounts counts) const;
-  [[nodiscard]] std::size_t traced() const;  // vertices that need rays
+  [[nodiscard]] bool keeps(std::size_t vertex) const { return plan.receivers.empty() || plan.receivers[vertex] != 0; }
+  [[nodiscard]] std::size_t receivers() const;  // vertices that the bake keeps
+  [[nodiscard]] std::size_t traced() const;     // of these, those that need rays
   [[nodiscard]] bool has_mirrors() const { return !scene.mesh.mirror.empty(); }
   [[nodiscard]] bool shines() const { return !scene.mesh.emission.empty(); }
   /// The bound on band l of the numbers after the decisions so far.
@@ -94,6 +99,8 @@ struct Draft {
 };
 
 // The decisions, in the order in which they are taken.
+/// Only where faces were halved and vertices are the receivers (prt/plan/decide_receivers.cpp).
+void decide_receivers(Draft& draft);
 void decide_analytic(Draft& draft);
 void decide_bounces(Draft& draft);
 void decide_channels(Draft& draft);

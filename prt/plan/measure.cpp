@@ -5,9 +5,10 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <unordered_map>
+#include <utility>
 
 #include "prt/arrays.hpp"
-#include "prt/bake/gray.hpp"
 #include "prt/chunks.hpp"
 #include "prt/plan/views.hpp"
 #include "prt/rays/directions.hpp"
@@ -23,9 +24,7 @@ constexpr std::size_t kChannels = 3;
 constexpr double kRiskOfClosed = 0.05;  // of its light: a closed vertex may be decided differently by other rays
 constexpr int kTurnsAboutZ = 24;
 constexpr int kTurnsOfAnyAxis = 48;
-constexpr std::size_t kTurnsOfSome = 4;
 constexpr std::uint32_t kReferenceSeed = 0x5EED;
-constexpr std::size_t kMostSources = 1;  // traced for the fill of a vertex, on average
 
 // One of kTurnsOfAnyAxis even rotations: a super-Fibonacci spiral of unit quaternions [Alexa22], turned so that rotation 0
 // is the identity.
@@ -39,25 +38,6 @@ Eigen::Matrix3d even_rotation(int k) {
     return Eigen::Quaterniond(outer * std::cos(b), inner * std::sin(a), inner * std::cos(a), outer * std::sin(b));
   };
   return (on_spiral(k + 0.5) * on_spiral(0.5).conjugate()).toRotationMatrix();
-}
-
-// The light, and even turns of it, about z or about any axis.
-std::vector<LightCoefficients> turns_of(const LightCoefficients& light, LightTurns turns) {
-  std::vector<LightCoefficients> lights = {light};
-  for (int k = 1; turns == LightTurns::kAboutZ && k < kTurnsAboutZ; ++k) {
-    lights.push_back(turned(light, rotation_about(Eigen::Vector3d::UnitZ(), 360.0 * k / kTurnsAboutZ)));
-  }
-  for (int k = 1; turns == LightTurns::kAny && k < kTurnsOfAnyAxis; ++k) {
-    lights.push_back(turned(light, even_rotation(k)));
-  }
-  return lights;
-}
-
-// The albedo, unless the numbers hold it, times numbers times light of their degree.
-Eigen::Vector3d radiance_of(const float* row, const TransferShape& shape, const LightCoefficients& light,
-                            const Eigen::Vector3f& albedo) {
-  const Eigen::Vector3d sums = integral_with(row, shape.channels, light);
-  return shape.holds_albedo ? sums : sums.cwiseProduct(albedo.cast<double>());
 }
 
 // The same numbers for light and result of another degree, in plain storage.
@@ -86,6 +66,23 @@ Transfer transfer_of(const std::vector<float>& rows, const RowShape& shape, std:
 }
 
 }  // namespace
+
+std::vector<LightCoefficients> turns_of(const LightCoefficients& light, LightTurns turns) {
+  std::vector<LightCoefficients> lights = {light};
+  for (int k = 1; turns == LightTurns::kAboutZ && k < kTurnsAboutZ; ++k) {
+    lights.push_back(turned(light, rotation_about(Eigen::Vector3d::UnitZ(), 360.0 * k / kTurnsAboutZ)));
+  }
+  for (int k = 1; turns == LightTurns::kAny && k < kTurnsOfAnyAxis; ++k) {
+    lights.push_back(turned(light, even_rotation(k)));
+  }
+  return lights;
+}
+
+Eigen::Vector3d radiance_of(const float* row, const TransferShape& shape, const LightCoefficients& light,
+                            const Eigen::Vector3f& albedo) {
+  const Eigen::Vector3d sums = integral_with(row, shape.channels, light);
+  return shape.holds_albedo ? sums : sums.cwiseProduct(albedo.cast<double>());
+}
 
 double radiance_bound(const float* row, const TransferShape& shape, const TurningLight& light,
                       const Eigen::Vector3f& albedo) {
@@ -123,27 +120,10 @@ double worst_radiance(const Transfer& transfer, const std::vector<LightCoefficie
 
 Measurement::Measurement(const Scene& scene, const LightCoefficients& light, LightTurns turns, double unit,
                          const std::string& instruction_set)
-    : scene_(scene), unit_(unit), lights_(turns_of(light, turns)) {
-  if (has_colored_mirrors(scene.mesh)) {
-    for (int c = 0; c < 3; ++c) {
-      Scene gray = scene;
-      gray.mesh = in_gray(std::move(gray.mesh), c);
-      rehearsals_.push_back(std::make_unique<Rehearsal>(gray, instruction_set));
-    }
-  } else {
-    rehearsals_.push_back(std::make_unique<Rehearsal>(scene, instruction_set));
-  }
-  probe_ =
-      choose_probe(scene.bake.kind->is_glossy() ? likely_glossy_errors() : likely_errors(TurningLight(light, turns)));
-  part_.emplace(
-      scene.mesh, probe_.vertices,
-      [this](std::uint32_t v) {
-        return std::any_of(rehearsals_.begin(), rehearsals_.end(), [v](const auto& rehearsal) {
-          return rehearsal->sight(0)[v].closed() > 0.0F || rehearsal->sight(1)[v].closed() > 0.0F;
-        });
-      },
-      kMostSources);
-  for (const auto& rehearsal : rehearsals_) spread_ = std::max(spread_, rehearsal->spread(some_lights()));
+    : scene_(scene), unit_(unit), lights_(turns_of(light, turns)), rehearsal_(scene, instruction_set) {
+  likely_ = scene.bake.kind->is_glossy() ? likely_glossy_errors() : likely_errors(TurningLight(light, turns));
+  keep({}, {});
+  for (const auto& rehearsal : rehearsal_.each()) spread_ = std::max(spread_, rehearsal->spread(some_lights()));
 }
 
 std::vector<LightCoefficients> Measurement::some_lights() const {
@@ -158,7 +138,7 @@ std::vector<double> Measurement::likely_errors(const TurningLight& light) const 
   const std::size_t length = shape.length();
   std::vector<double> errors(scene_.mesh.positions.size(), 0.0);
   std::vector<float> difference(length);
-  for (const auto& rehearsal : rehearsals_) {
+  for (const auto& rehearsal : rehearsal_.each()) {
     for (std::size_t v = 0; v < errors.size(); ++v) {
       const auto size = [&](const float* row) { return radiance_bound(row, shape, light, scene_.mesh.albedo[v]); };
       const float* first = rehearsal->coarse(0).data() + v * length;
@@ -174,7 +154,7 @@ std::vector<double> Measurement::likely_errors(const TurningLight& light) const 
 
 // The same, as exit radiance towards the eyes.
 std::vector<double> Measurement::likely_glossy_errors() const {
-  const Rehearsal& rehearsal = *rehearsals_[0];
+  const Rehearsal& rehearsal = rehearsal_.channel(0);
   const Transfer difference = rehearsal.difference();
   Transfer whole = difference;
   whole.coefficients = rehearsal.coarse(0);
@@ -192,15 +172,7 @@ std::vector<double> Measurement::likely_glossy_errors() const {
 }
 
 std::vector<float> Measurement::rows(const BakeOptions& options, const std::vector<std::uint8_t>& open) const {
-  std::vector<float> rows = rehearsals_[0]->rows(options, *part_, open);
-  const TransferShape shape = options.kind->shape(scene_.bake.degree);
-  for (std::size_t c = 1; c < rehearsals_.size() && shape.channels == kChannels; ++c) {
-    const std::vector<float> own = rehearsals_[c]->rows(options, *part_, open);
-    for (std::size_t first = c * shape.count(); first < rows.size(); first += shape.length()) {
-      std::copy_n(own.data() + first, shape.count(), rows.data() + first);
-    }
-  }
-  return rows;
+  return rehearsal_.rows(options, *part_, open);
 }
 
 std::vector<float> Measurement::kept(const std::vector<float>& rows, const RowShape& shape) const {
@@ -219,7 +191,7 @@ std::vector<float> Measurement::kept(const std::vector<float>& rows, const RowSh
   // The scales of 8 bits come from the largest numbers of the whole mesh, which a last row holds.
   Eigen::ArrayXf largest = Eigen::ArrayXf::Zero(Eigen::Index(asked.numbers.length()));
   if (shape.numbers.channels == scene_.bake.kind->shape(0).channels) {
-    largest = largest_numbers(rehearsals_[0]->coarse(0), asked.numbers.length());
+    largest = largest_numbers(rehearsal_.channel(0).coarse(0), asked.numbers.length());
   }
   append_lower(largest.data(), asked.numbers, shape.numbers, numbers);
   numbers = decode(encode(numbers, shape.numbers), shape.numbers);
@@ -237,16 +209,51 @@ std::vector<float> Measurement::kept(const std::vector<float>& rows, const RowSh
   return back;
 }
 
-Measurement::Radiances Measurement::radiances(const std::vector<float>& rows, const RowShape& row_shape) const {
-  if (scene_.bake.kind->is_glossy()) return glossy_radiances(rows, row_shape);
-  const TransferShape& shape = row_shape.numbers;
+void Measurement::keep(const std::vector<std::uint8_t>& kept, const std::vector<double>& likely) {
+  shown_.clear();
+  std::vector<double> likely_of_both = likely_;
+  for (std::size_t v = 0; v < likely.size(); ++v) likely_of_both[v] = std::hypot(likely_[v] / unit_, likely[v]);
+  probe_ = choose_probe(likely_of_both);
+  std::vector<std::uint32_t> wanted = probe_.vertices;
+  if (!kept.empty()) {
+    std::unordered_map<std::uint32_t, std::uint32_t> places;
+    for (std::uint32_t i = 0; i < wanted.size(); ++i) places[wanted[i]] = i;
+    shown_ = blends_of(scene_.mesh.halving, kept, probe_.vertices);
+    for (Blend& blend : shown_) {
+      for (auto& [vertex, part] : blend) {
+        const auto [place, is_new] = places.try_emplace(vertex, static_cast<std::uint32_t>(wanted.size()));
+        if (is_new) wanted.push_back(vertex);
+        vertex = place->second;
+      }
+    }
+  }
+  part_.emplace(rehearsal_.part(scene_.mesh, std::move(wanted)));
+}
+
+Measurement::Radiances Measurement::radiances(const std::vector<float>& rows, const RowShape& shape) const {
+  return scene_.bake.kind->is_glossy() ? glossy_radiances(rows, shape) : blended(rows, shape.numbers, shown_);
+}
+
+Measurement::Radiances Measurement::own_radiances(const std::vector<float>& rows, const RowShape& shape) const {
+  return scene_.bake.kind->is_glossy() ? glossy_radiances(rows, shape) : blended(rows, shape.numbers, {});
+}
+
+Measurement::Radiances Measurement::blended(const std::vector<float>& rows, const TransferShape& shape,
+                                            const std::vector<Blend>& blends) const {
   Radiances radiances;
+  std::vector<Eigen::Vector3d> own(blends.empty() ? probe_.vertices.size() : part_->wanted());
   for (const LightCoefficients& light : lights_) {
     const LightCoefficients low = first_bands(light, shape.degree);
-    for (std::size_t i = 0; i < part_->wanted(); ++i) {
+    for (std::size_t i = 0; i < own.size(); ++i) {
       const Eigen::Vector3f& albedo = scene_.mesh.albedo[part_->vertices()[i]];
-      const Eigen::Vector3d radiance = radiance_of(rows.data() + i * shape.length(), shape, low, albedo) / unit_;
-      radiances.insert(radiances.end(), radiance.begin(), radiance.end());
+      own[i] = radiance_of(rows.data() + i * shape.length(), shape, low, albedo) / unit_;
+    }
+    for (std::size_t i = 0; i < probe_.vertices.size(); ++i) {
+      Eigen::Vector3d shown = blends.empty() ? own[i] : Eigen::Vector3d::Zero().eval();
+      if (!blends.empty()) {
+        for (const auto& [place, part] : blends[i]) shown += part * own[place];
+      }
+      radiances.insert(radiances.end(), shown.begin(), shown.end());
     }
   }
   return radiances;
@@ -273,7 +280,7 @@ Measurement::Radiances Measurement::glossy_radiances(const std::vector<float>& r
 double Measurement::error(const Radiances& difference) const {
   double worst = 0.0;
   const auto eyes = static_cast<double>(this->eyes());
-  std::vector<double> squares(part_->wanted());
+  std::vector<double> squares(probe_.vertices.size());
   std::vector<double> variances(eyes > 1.0 ? squares.size() : 0);
   const double* e = difference.data();
   for (std::size_t t = 0; t < lights_.size(); ++t) {
@@ -302,17 +309,13 @@ BakeOptions Measurement::reference_options(BakeOptions options) const {
 
 double Measurement::blocked(std::size_t vertex) const {
   const auto visible = [&](std::size_t half) {
-    return static_cast<double>(rehearsals_[0]->sight(half)[vertex].visible);
+    return static_cast<double>(rehearsal_.channel(0).sight(half)[vertex].visible);
   };
   return std::clamp(1.0 - (visible(0) + visible(1)) / 2.0, 0.0, 1.0);
 }
 
 bool Measurement::is_nearly_dark(std::size_t vertex) const { return blocked(vertex) > 1.0 - kNearlyDark; }
 
-double Measurement::rays_a_direction() const {
-  double rays = 0.0;
-  for (const auto& rehearsal : rehearsals_) rays += rehearsal->rays_a_direction();
-  return rays;
-}
+double Measurement::rays_a_direction() const { return rehearsal_.rays_a_direction(); }
 
 }  // namespace sh::prt

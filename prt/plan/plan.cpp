@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "prt/light/light.hpp"
 #include "prt/plan/draft.hpp"
@@ -48,8 +50,7 @@ void take_lights(Draft& draft) {
 void take_measurement(Draft& draft) {
   draft.measurement.emplace(draft.scene, draft.light->coefficients(), draft.options.turns, draft.plan.reference,
                             draft.instruction_set);
-  draft.many = draft.measurement->rows(draft.measurement->reference_options(draft.asked));
-  draft.reference = draft.measurement->radiances(draft.many, draft.traced_shape());
+  draft.take_reference();
   draft.plan.lights = draft.measurement->lights();
   draft.start();
 }
@@ -62,7 +63,8 @@ struct Step {
   bool (TransferKind::*applies)() const = nullptr;  // null: to every kind
 };
 
-constexpr std::array kSteps = {Step{"analytic", decide_analytic, true},
+constexpr std::array kSteps = {Step{kReceiversDecision, decide_receivers, false, &TransferKind::is_diffuse},
+                               Step{"analytic", decide_analytic, true},
                                Step{"bounces", decide_bounces, false, &TransferKind::has_bounces},
                                Step{"channels", decide_channels, true},
                                Step{"bands", decide_bands, false, &TransferKind::stores_numbers},
@@ -74,6 +76,39 @@ constexpr std::array kSteps = {Step{"analytic", decide_analytic, true},
                                Step{"hits", decide_hits, false, &TransferKind::has_bounces},
                                Step{"directions", decide_directions, false, &TransferKind::traces_rays}};
 
+void decide_all(Draft& draft) {
+  const TransferKind& kind = *draft.asked.kind;
+  const bool is_lossy = draft.options.mode == PlanMode::kLossy;
+  if (is_lossy) {
+    draft.plan.record.budget = draft.left = draft.options.error;
+    draft.plan.record.light_turns = name_of(draft.options.turns);
+    take_lights(draft);
+    if (kind.stores_numbers()) take_measurement(draft);
+    const bool fewer = kind.traces_rays() && draft.allows("directions");
+    draft.reserved = fewer ? floor_of_directions(draft) : 0.0;
+  }
+  for (const auto& [name, decide, is_exact, applies] : kSteps) {
+    if ((!is_lossy && !is_exact) || (applies != nullptr && !(kind.*applies)())) continue;
+    if (draft.allows(name)) {
+      decide(draft);
+    } else {
+      draft.decide(name, "not taken", "by request");
+    }
+  }
+  if (is_lossy) state_error(draft);
+}
+
+// Leaves the mesh with the receivers of the plan.
+void take_receivers(Plan& plan, Mesh& mesh) {
+  if (plan.receivers.empty()) return;
+  std::vector<std::uint8_t> open;
+  for (std::size_t v = 0; v < plan.receivers.size(); ++v) {
+    if (plan.receivers[v] != 0) open.push_back(plan.open[v]);
+  }
+  plan.open = std::move(open);
+  keep_vertices(mesh, plan.receivers);
+}
+
 }  // namespace
 
 Plan make_plan(Scene& scene, const std::string& instruction_set) {
@@ -83,30 +118,22 @@ Plan make_plan(Scene& scene, const std::string& instruction_set) {
         "{}: keep: a plan with an error chooses the bands to keep itself; expected one of both", scene.name));
   }
   check(scene.plan);
-  Draft draft(scene, instruction_set);
+  std::optional<Draft> draft(std::in_place, scene, instruction_set);
   if (scene.plan.mode == PlanMode::kNone) {
-    draft.plan.open.clear();
-    return std::move(draft.plan);
+    draft->plan.open.clear();
+    return std::move(draft->plan);
   }
-  if (is_lossy) {
-    draft.plan.record.budget = draft.left = scene.plan.error;
-    draft.plan.record.light_turns = name_of(scene.plan.turns);
-    take_lights(draft);
-    if (scene.bake.kind->stores_numbers()) take_measurement(draft);
-    const bool fewer = scene.bake.kind->traces_rays() && draft.allows("directions");
-    draft.reserved = fewer ? floor_of_directions(draft) : 0.0;
+  try {
+    decide_all(*draft);
+  } catch (const std::invalid_argument&) {
+    if (draft->plan.receivers.empty()) throw;
+    draft.emplace(scene, instruction_set);
+    draft->needs_all_receivers = true;
+    decide_all(*draft);
   }
-  for (const auto& [name, decide, is_exact, applies] : kSteps) {
-    if ((!is_lossy && !is_exact) || (applies != nullptr && !(scene.bake.kind->*applies)())) continue;
-    if (draft.allows(name)) {
-      decide(draft);
-    } else {
-      draft.decide(name, "not taken", "by request");
-    }
-  }
-  if (is_lossy) state_error(draft);
-  scene.bake = draft.bake;
-  return std::move(draft.plan);
+  scene.bake = draft->bake;
+  take_receivers(draft->plan, scene.mesh);
+  return std::move(draft->plan);
 }
 
 }  // namespace sh::prt

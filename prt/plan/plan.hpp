@@ -4,6 +4,8 @@
 // requested degree and kind with converged directions, under the declared lights as a whole, with all rotations that
 // PlanOptions allows. Errors of glossy kinds are RMS over the eyes, too (prt/plan/views.hpp). The loss by the requested
 // degree itself is reported separately and not counted.
+//   receivers   fewer vertices on faces that were split, where interpolation between them adds little; diffuse kinds
+//               (prt/plan/decide_receivers.cpp)
 //   analytic    vertices with nothing above their horizon: closed form, no rays (prt/plan/open_vertices.hpp)
 //   bounces     none, or a looser tolerance, if little light comes back
 //   channels    one, if every albedo is gray
@@ -36,11 +38,13 @@ struct PlanCost {
   std::int64_t rays = 0;
 };
 
+inline constexpr std::string_view kReceiversDecision = "receivers";
 inline constexpr std::string_view kClustersDecision = "clusters";
 
 /// The work and the numbers that a bake leaves out.
 struct Plan {
   PlanRecord record;
+  std::vector<std::uint8_t> receivers;  // (vertices of the asked mesh), or empty: 1 if the bake keeps the vertex
   std::vector<std::uint8_t> open;  // (vertices), or empty: 1 if nothing blocks the vertex, so that it needs no rays
   Storage storage;
   std::vector<float> largest;  // (bands^2) largest numbers for which the storage was chosen; empty if irrelevant
@@ -53,7 +57,7 @@ struct Plan {
   PlanCost planned;
 };
 
-/// Makes a plan according to scene.plan and lowers scene.bake to follow it. `instruction_set` is as in Tracer. Runs on
+/// Makes a plan according to scene.plan and lowers scene.bake to follow it, and scene.mesh if it keeps fewer receivers. `instruction_set` is as in Tracer. Runs on
 /// the threads of the caller's arena. Throws std::invalid_argument, one line, for a budget that cannot be met (the line
 /// names one that can), for lights that leave the mesh dark, and for unknown names of decisions.
 Plan make_plan(Scene& scene, const std::string& instruction_set);

@@ -113,11 +113,15 @@ void check(const Plan& plan, const BakeOptions& bake) {
   }
 }
 
-Plan plan_from(const std::string& file, const nlohmann::json& json, std::size_t vertices, BakeOptions& bake) {
+Plan plan_from(const std::string& file, const nlohmann::json& json, Mesh& mesh, BakeOptions& bake) {
   bake = read_bake_options(JsonReader(file, json.at("bake")));
   Plan plan;
   plan.record = plan_record_from(json);
-  if (json.contains("open")) plan.open = from_runs(json["open"], vertices);
+  if (json.contains("receivers")) {
+    plan.receivers = from_runs(json["receivers"], mesh.positions.size());
+    keep_vertices(mesh, plan.receivers);
+  }
+  if (json.contains("open")) plan.open = from_runs(json["open"], mesh.positions.size());
   plan.storage = storage_from(json.at("storage"), bake.kind->shape(bake.degree).columns());
   plan.largest = json.at("largest").get<std::vector<float>>();
   for (const nlohmann::json& counts : json.at("clusters")) plan.clusters.push_back(counts_from(counts));
@@ -148,6 +152,7 @@ void write_plan(const std::string& file, const Plan& plan, const Scene& scene, c
   json.update(Json::parse(plan_json(plan, scene)));
   json["bake"] = to_json(scene.bake);
   if (!plan.known_by.empty()) json["known_by"] = plan.known_by;
+  if (!plan.receivers.empty()) json["receivers"] = to_runs(plan.receivers);
   if (!plan.open.empty()) json["open"] = to_runs(plan.open);
   json["largest"] = plan.largest;
   json["clusters"] = Json::array();
@@ -173,7 +178,7 @@ Plan read_plan(const std::string& file, Scene& scene) {
       throw std::runtime_error(fmt::format(
           "{}: a plan for another mesh than that of {}; expected one of `prt plan` for this scene", file, scene.name));
     }
-    plan = plan_from(file, json, scene.mesh.positions.size(), bake);
+    plan = plan_from(file, json, scene.mesh, bake);
   } catch (const nlohmann::json::exception&) {
     refuse(file, "damaged");
   } catch (const std::invalid_argument& error) {

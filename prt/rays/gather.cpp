@@ -66,21 +66,20 @@ std::vector<float> reaches_of_texels(const Mesh& mesh) {
 std::vector<RayStart> ray_starts(const Mesh& mesh) {
   std::vector<Eigen::Vector3f> inward(mesh.positions.size(), Eigen::Vector3f::Zero());
   std::vector<float> distance(mesh.positions.size(), 0.0F);
-  std::vector<int> faces(mesh.positions.size(), 0);
   for (const Face& face : mesh.faces) {
     const Eigen::Vector3f middle = (mesh.positions[face[0]] + mesh.positions[face[1]] + mesh.positions[face[2]]) / 3.0F;
     for (const std::uint32_t v : face) {
       inward[v] += middle - mesh.positions[v];
       distance[v] += (middle - mesh.positions[v]).norm();
-      ++faces[v];
     }
   }
+  const std::vector<float> reach_of_vertex = reaches(mesh);
   const std::vector<float> reach_of_texel = reaches_of_texels(mesh);
   std::vector<RayStart> starts;
   starts.reserve(mesh.positions.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const Eigen::Vector3f& position = mesh.positions[v];
-    const float reach = faces[v] == 0 ? reach_of_texel[v] : distance[v] / static_cast<float>(faces[v]);
+    const float reach = distance[v] > 0.0F ? reach_of_vertex[v] : reach_of_texel[v];
     const float rounding = std::numeric_limits<float>::epsilon() * position.cwiseAbs().maxCoeff();
     const float length = std::max(kOffset * reach, std::min(kRoundings * rounding, kMostOffset * reach));
     const Eigen::Vector3f& up = mesh.geometric_normals[v];

@@ -69,6 +69,8 @@ Study run_glossy_study(const Scene& scene, const StudyOptions& options,
   return study;
 }
 
+}  // namespace
+
 Radiances shaded(const Transfer& transfer, const LightCoefficients& light, int degree) {
   Radiances radiances;
   for (const Eigen::Vector3f& radiance : relight(transfer, first_bands(light, degree))) {
@@ -78,7 +80,12 @@ Radiances shaded(const Transfer& transfer, const LightCoefficients& light, int d
 }
 
 Transfer shadowed(const StudySetup& setup, int degree, int directions) {
+  return shadowed(setup, degree, directions, setup.scene.mesh);
+}
+
+Transfer shadowed(const StudySetup& setup, int degree, int directions, const Mesh& mesh) {
   Scene scene = setup.scene;
+  scene.mesh = mesh;
   scene.mesh.emission.clear();  // the lights' error only
   scene.bake.kind = &kShadowed;
   scene.plan.mode = PlanMode::kNone;
@@ -87,15 +94,13 @@ Transfer shadowed(const StudySetup& setup, int degree, int directions) {
   return bake({std::move(scene), {.instruction_set = setup.options.instruction_set}});
 }
 
-}  // namespace
-
 Study run_study(const Scene& scene, const StudyOptions& options, const std::function<void(const Study&)>& finished) {
   check(scene, options);
   if (scene.bake.kind->is_glossy()) return run_glossy_study(scene, options, finished);
   const StudySetup setup(scene, options);
   Study study = begin(scene, setup);
-  for (const auto& part :
-       {study_directions, study_degrees, study_storage, study_windows, study_bounces, study_pictures}) {
+  for (const auto& part : {study_directions, study_degrees, study_storage, study_receivers, study_windows,
+                           study_bounces, study_pictures}) {
     study.parts.push_back(part(setup));
     finished(study);
   }

@@ -83,6 +83,11 @@ struct StudySetup {
 /// The error of all coefficients of `rows`; `reference` has the same vertices and at least the same degree.
 CoefficientError coefficient_error(const TransferRows& rows, const TransferRows& reference);
 
+/// A shadowed bake of the whole mesh, or of `mesh` in its place, without a plan; and its radiances under light.
+Transfer shadowed(const StudySetup& setup, int degree, int directions);
+Transfer shadowed(const StudySetup& setup, int degree, int directions, const Mesh& mesh);
+Radiances shaded(const Transfer& transfer, const LightCoefficients& light, int degree);
+
 /// The errors of all vertices of the mesh, for a picture.
 ErrorField field_of(const StudySetup& setup, const std::string& name, const std::string& title, const Radiances& values,
                     const Radiances& reference);
@@ -115,6 +120,9 @@ StudyPart study_degrees(const StudySetup& setup);
 StudyPart study_bounces(const StudySetup& setup);
 /// Error against the bytes of a vertex, by degree and storage type.
 StudyPart study_storage(const StudySetup& setup);
+/// Error of fewer receivers on faces that were split, against their number and time: of longer edges everywhere, and as plans
+/// choose them. No curves where no face was split, and of texels.
+StudyPart study_receivers(const StudySetup& setup);
 /// Error against degree under windows on the light.
 StudyPart study_windows(const StudySetup& setup);
 /// Pictures of the errors of few directions and of few degrees, from bakes of the whole mesh; no curves.

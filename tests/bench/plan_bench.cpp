@@ -88,7 +88,7 @@ bool keeps_promise(const Scene& scene, const Transfer& reference, double error) 
     const Transfer planned = test::stored(bake(job, &report));
     const double bake_seconds = baking.seconds();
     const double stated = job.plan->record.error;
-    const double measured = test::measured_error(scene, planned, reference, options.turns, job.plan->reference);
+    const double measured = test::measured_error(scene, planned, reference, options.turns, *job.plan);
     const double loosest = scene.bake.kind->has_bounces() ? kLoosestBounces : kLoosest;
     const bool kept = measured <= stated && stated <= loosest * measured && stated <= error;
     fmt::print("  {:<6g}{:>10.2g}{:>10.2g}{:>8.2f}{:>10.2f}{:>10.2f}{:>8.1f}{:>8.1f}{:>8.1f}  {} {} {} {}{}{}\n", error,

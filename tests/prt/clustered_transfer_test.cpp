@@ -187,7 +187,7 @@ Scene room_to_plan(ClusterCounts counts, double error) {
   Scene scene = scene_of(std::move(mesh), &kInterreflected, 512, 2);
   scene.lights = {{.type = LightType::kCieOvercast}};
   scene.bake.compress = counts;
-  scene.plan = {.mode = PlanMode::kLossy, .error = error, .without = {"bounces", "bands", "symmetry"}};
+  scene.plan = {.mode = PlanMode::kLossy, .error = error, .without = {"receivers", "bounces", "bands", "symmetry"}};
   return scene;
 }
 

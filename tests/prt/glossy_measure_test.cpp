@@ -15,6 +15,7 @@
 #include "tests/prt/begun_plan.hpp"
 #include "tests/prt/glossy_meshes.hpp"
 #include "tests/prt/lobed_scenes.hpp"
+#include "tests/prt/plan_promise.hpp"
 
 namespace sh::prt::test {
 namespace {

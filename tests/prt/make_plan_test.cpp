@@ -40,9 +40,9 @@ TEST(MakePlan, TakesTheDecisionsThatItsModeAndKindAllow) {
   }
   EXPECT_EQ(taken(&kUnshadowed, PlanMode::kLossy), (Names{"analytic", "channels", "bands", "symmetry", "storage"}));
   EXPECT_EQ(taken(&kShadowed, PlanMode::kLossy),
-            (Names{"analytic", "channels", "bands", "symmetry", "storage", "directions"}));
-  EXPECT_EQ(taken(&kInterreflected, PlanMode::kLossy),
-            (Names{"analytic", "bounces", "channels", "bands", "symmetry", "storage", "hits", "directions"}));
+            (Names{"receivers", "analytic", "channels", "bands", "symmetry", "storage", "directions"}));
+  EXPECT_EQ(taken(&kInterreflected, PlanMode::kLossy), (Names{"receivers", "analytic", "bounces", "channels", "bands",
+                                                              "symmetry", "storage", "hits", "directions"}));
   EXPECT_EQ(taken(&kGlossyUnshadowed, PlanMode::kLossy), (Names{"analytic", "channels"})) << "it stores nothing";
   EXPECT_EQ(taken(&kGlossyShadowed, PlanMode::kLossy),
             (Names{"analytic", "channels", "bands", "visibility", "storage", "directions"}));
@@ -94,7 +94,7 @@ TEST(MakePlan, RecordsWhatTheUserSkips) {
   scene.plan.without = {"bands", "bounces", "directions"};
   const BakeOptions asked = scene.bake;
   const Plan plan = make_plan(scene, kBestSet);
-  EXPECT_EQ(names_of(plan).size(), 8U);
+  EXPECT_EQ(names_of(plan).size(), 9U);
   for (const Decision& decision : plan.record.decisions) {
     const auto& without = scene.plan.without;
     const bool is_skipped = std::find(without.begin(), without.end(), decision.name) != without.end();
@@ -167,8 +167,8 @@ TEST(MakePlan, RefusesErrorsOutOfRangeAndNamesOfNoDecision) {
   EXPECT_EQ(said(1e-3, {"bands", "storage"}), "");
   for (const PlanMode mode : {PlanMode::kNone, PlanMode::kExact, PlanMode::kLossy}) {
     EXPECT_EQ(said(0.1, {"bands", "colour"}, mode),
-              "decision colour: expected one of analytic, bounces, channels, bands, matrices, visibility, symmetry, "
-              "storage, hits, directions");
+              "decision colour: expected one of receivers, analytic, bounces, channels, bands, matrices, visibility, "
+              "symmetry, storage, hits, directions");
   }
 }
 

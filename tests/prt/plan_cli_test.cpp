@@ -94,7 +94,7 @@ TEST(PlanTool, RefusesBudgetsThatCannotBeMetAndWordsItDoesNotKnow) {
   expect_refused({"plan", "demo", "--error", "0.00001"}, "cannot be met");
   expect_refused(joined(kSmall, {"-o", out, "--error", "0.00001"}), "cannot be met");
   expect_refused({"plan", "demo", "--error", "-1"}, "expected more than 0");
-  expect_refused({"plan", "demo", "--without", "colour"}, "expected one of analytic");
+  expect_refused({"plan", "demo", "--without", "colour"}, "expected one of receivers");
   expect_refused({"plan", "demo", "--light-turns", "often"}, "--light-turns");
   expect_refused({"plan", folder.file("none.json")}, "cannot read");
   EXPECT_EQ(folder.entries(), 0U);

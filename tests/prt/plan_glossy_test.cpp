@@ -41,7 +41,7 @@ TEST(GlossyPlan, StaysWithinItsBudgetAndSavesBytesAndRays) {
     EXPECT_EQ(planned.plan.decisions.size(), plan.record.decisions.size());
     EXPECT_EQ(kept_by(planned), job.scene.bake.keep.within(planned.degree()));
     const Transfer reference = full_bake(scene, 16 * scene.bake.directions);
-    const double measured = measured_error(scene, stored(planned), reference, scene.plan.turns, plan.reference);
+    const double measured = measured_error(scene, stored(planned), reference, scene.plan.turns, plan);
     EXPECT_LE(measured, plan.record.error) << kind->word;
     const std::size_t bytes =
         planned.shape.stored_bytes(scene.mesh.positions.size()) +
@@ -188,7 +188,7 @@ TEST(GlossyPlan, LeavesBouncesOutWhereLittleComesBack) {
   const BakeJob job = planned_as(dark, dark.plan);
   EXPECT_EQ(job.scene.bake.kind, &kGlossyShadowed);
   EXPECT_EQ(decision_of(*job.plan, "bounces").choice, "none: glossy_shadowed instead of glossy_interreflected");
-  EXPECT_LE(measured_error(dark, stored(bake(job)), full_bake(dark, 8192), LightTurns::kAboutZ, job.plan->reference),
+  EXPECT_LE(measured_error(dark, stored(bake(job)), full_bake(dark, 8192), LightTurns::kAboutZ, *job.plan),
             job.plan->record.error);
   Scene bright = dark;
   bright.mesh = polished(bright.mesh, 0.4F, 0.4F, 4.0F);

@@ -28,13 +28,27 @@ inline std::vector<Eigen::Matrix3d> turns_of(LightTurns turns) {
   return rotations;
 }
 
+/// The colors of all vertices of the asked mesh, from those of the receivers that a plan keeps; all of them if it has none.
+inline std::vector<Eigen::Vector3f> shown(const Mesh& asked, const std::vector<std::uint8_t>& receivers,
+                                          const std::vector<Eigen::Vector3f>& colors) {
+  if (receivers.empty()) return colors;
+  std::vector<Eigen::Vector3f> all(receivers.size());
+  auto next = colors.begin();
+  for (std::size_t v = 0; v < all.size(); ++v) {
+    if (receivers[v] != 0) all[v] = *next++;
+  }
+  interpolate_left_out(asked.halving, ends_first(asked.halving), receivers, all);
+  return all;
+}
+
 /// The square of the difference of exit radiance for each vertex.
 inline std::vector<double> squares_between(const Transfer& planned, const Transfer& full,
-                                           const LightCoefficients& light) {
+                                           const LightCoefficients& light, const Mesh& asked,
+                                           const std::vector<std::uint8_t>& receivers) {
   const LightCoefficients low = first_bands(light, planned.degree());
   std::vector<double> squares(full.mesh.positions.size(), 0.0);
   if (!full.kind->is_glossy()) {
-    const auto a = relight(planned, low);
+    const auto a = shown(asked, receivers, relight(planned, low));
     const auto b = relight(full, light);
     for (std::size_t v = 0; v < a.size(); ++v) {
       squares[v] = std::pow(static_cast<double>((a[v] - b[v]).cwiseAbs().maxCoeff()), 2);
@@ -62,15 +76,15 @@ inline std::vector<double> squares_between(const Transfer& planned, const Transf
 }
 
 inline double measured_error(const Scene& scene, const Transfer& planned, const Transfer& full, LightTurns turns,
-                             double reference) {
+                             const Plan& plan) {
   const LightCoefficients light = project(load_lights(scene.lights, OnFlaw::kMend), full.degree());
   double worst = 0.0;
   for (const Eigen::Matrix3d& r : turns_of(turns)) {
-    const std::vector<double> all = squares_between(planned, full, turned(light, r));
+    const std::vector<double> all = squares_between(planned, full, turned(light, r), scene.mesh, plan.receivers);
     const double squares = std::accumulate(all.begin(), all.end(), 0.0);
     worst = std::max(worst, std::sqrt(squares / static_cast<double>(all.size())));
   }
-  return worst / reference;
+  return worst / plan.reference;
 }
 
 /// The transfer as a file keeps it.

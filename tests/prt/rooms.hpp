@@ -47,6 +47,7 @@ inline void refine(Mesh& mesh, float longest) {
 /// Turns all faces and normals around.
 inline void turn_inside_out(Mesh& mesh) {
   for (Face& face : mesh.faces) std::swap(face[1], face[2]);
+  mesh.halving = {};
   for (Eigen::Vector3f& normal : mesh.normals) normal = -normal;
   set_geometric_normals(mesh);
 }

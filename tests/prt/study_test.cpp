@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
+#include <tuple>
 
 #include "prt/study/error_picture.hpp"
 #include "prt/study/study_setup.hpp"
@@ -198,6 +199,24 @@ TEST_F(DiscStudy, SeesStorageCostWhatItRounds) {
   }
 }
 
+// Of the ground: the corners of the disc are those of its model.
+TEST_F(DiscStudy, SeesFewerReceiversCostLessWhereAPlanChoosesThem) {
+  const StudyPart& part = part_called(*study, "receivers");
+  ASSERT_EQ(part.series.size(), 2U);
+  const auto& [edges, plans] = std::tie(part.series[0].points, part.series[1].points);
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    EXPECT_LE(edges[i].at, edges[i - 1].at);
+    EXPECT_GE(edges[i].error.rms, edges[i - 1].error.rms * 0.99);
+    EXPECT_EQ(*edges[i].bytes_a_vertex > 0.0, true);
+  }
+  for (std::size_t i = 1; i < plans.size(); ++i) EXPECT_GE(plans[i].at, plans[i - 1].at);
+  EXPECT_LT(plans.front().at, 0.7 * static_cast<double>(study->vertices));
+  const auto better = std::find_if(edges.begin(), edges.end(), [&](const StudyPoint& point) {
+    return point.at < plans.front().at && point.error.rms < plans.front().error.rms;
+  });
+  EXPECT_EQ(better, edges.end()) << "no longer edge has fewer receivers and a smaller error";
+}
+
 TEST_F(DiscStudy, SeesWindowsCostSharpness) {
   const std::vector<StudySeries>& series = part_called(*study, "windows").series;
   for (std::size_t w = 1; w < series.size(); ++w) {
@@ -237,7 +256,7 @@ TEST(StudyTool, WritesTheSameNumbersTwiceButForTimes) {
   const std::set<std::string> files = files_in(folder.file("c"));
   EXPECT_TRUE(files.contains("directions.svg") && files.contains("directions_time.svg") &&
               files.contains("degrees.svg") && !files.contains("bounces.svg") && files.contains("study.json") &&
-              files.contains("storage.svg") && files.contains("windows.svg") &&
+              files.contains("storage.svg") && files.contains("receivers.svg") && files.contains("windows.svg") &&
               files.contains("errors_directions.png") && files.contains("errors_degrees.png") &&
               files.contains("table.csv") && files.contains("table.md"));
   EXPECT_EQ(files, files_in(folder.file("a/b")));
