@@ -1,6 +1,6 @@
 // `prt relight FILE -o out.ply`: exit radiance per vertex under a light, of a baked mesh or of a stage.
 // `prt fix-view FILE --eye X Y Z -o OUT`: glossy transfer seen from one point at rest.
-// `prt info FILE`: the header and counts of a transfer file as JSON.
+// `prt info FILE`: the header and sizes of a transfer file as JSON, of any size in a moment; `--check` reads all of it.
 // `prt shader --kind DS --degree 4 > relight.vert`: a complete vertex shader that relights.
 #include <fmt/format.h>
 
@@ -61,39 +61,40 @@ void run_relight(const RelightCommand& options) {
   for (int frame = 0; frame < options.frames; ++frame) relight_frame(options, subject, frame);
 }
 
-/// Prints the header of the file, and values from its body.
-void run_info(const std::string& file) {
-  const Transfer transfer = read_transfer(file, file_kinds());
-  Json json = Json::parse(transfer_header(transfer));
-  const std::size_t receivers = transfer.receivers();
-  double mean = 0.0;
-  std::vector<float> room;
-  for (std::size_t v = 0; transfer.shape.length() > 0 && v < receivers; ++v) {
-    const float* row = transfer.row(v, room);
-    for (std::size_t c = 0; c < transfer.shape.channels; ++c) {
-      mean += static_cast<double>(row[c * transfer.shape.count()]);
-    }
-  }
-  mean /= std::max<double>(1.0, static_cast<double>(receivers * transfer.shape.channels));
-  json["file"] = std::filesystem::path(file).filename().string();
-  json["bytes"] = std::filesystem::file_size(file);
-  if (!transfer.grid) {
-    const Eigen::AlignedBox3f box = bounding_box(transfer.mesh.positions);
-    json["bounding_box"] = {json_of(transfer.mesh.frame.world(box.min())),
-                            json_of(transfer.mesh.frame.world(box.max()))};
-  } else {
+struct InfoCommand {
+  std::string file;
+  bool check = false;
+};
+
+// The sizes of the numbers of a file with so many receivers.
+void put_sizes(const Transfer& transfer, std::size_t receivers, Json& json) {
+  if (transfer.grid) {
     json["points"] = receivers;
     json["spacing"] = json_of(transfer.grid->spacing());
   }
-  const bool has_matrices = transfer.kind->stores_matrices();
   if (transfer.kind->stores_visibility()) json["keeps"] = to_json(kept_by(transfer), *transfer.kind);
+  const bool has_matrices = transfer.kind->stores_matrices();
   const std::size_t bytes =
       transfer.shape.receiver_bytes() + (has_matrices ? transfer.indirect_shape.receiver_bytes() : 0);
   const std::size_t all =
       transfer.shape.stored_bytes(receivers) + (has_matrices ? transfer.indirect_shape.stored_bytes(receivers) : 0);
   json[transfer.grid ? "bytes_a_point" : "bytes_a_vertex"] = bytes;
   if (all > bytes * receivers) json["bytes_of_clusters"] = all - bytes * receivers;  // shared by all receivers
-  json["mean_of_first_coefficient"] = mean;
+}
+
+// What only the sections of a file tell.
+void put_contents(const Transfer& transfer, Json& json) {
+  double mean = 0.0;
+  std::vector<float> room;
+  const std::size_t receivers = transfer.receivers();
+  for (std::size_t v = 0; transfer.shape.length() > 0 && v < receivers; ++v) {
+    const float* row = transfer.row(v, room);
+    for (std::size_t c = 0; c < transfer.shape.channels; ++c) {
+      mean += static_cast<double>(row[c * transfer.shape.count()]);
+    }
+  }
+  json["mean_of_first_coefficient"] =
+      mean / std::max<double>(1.0, static_cast<double>(receivers * transfer.shape.channels));
   if (const auto lobe = sharpest_lobe(transfer)) {
     json["sharpest_lobe"] = {{"exponent", lobe->exponent}, {"share_that_the_degree_holds", lobe->share}};
   }
@@ -101,6 +102,16 @@ void run_info(const std::string& file) {
   for (std::size_t i = 0; i < shares.size(); ++i) {
     json["brdfs"][i]["share_that_the_degree_holds"] = shares[i];
   }
+}
+
+/// Prints the header of the file and its sizes; if asked, reads all of it and prints values from its body.
+void run_info(const InfoCommand& options) {
+  const TransferHead head = read_transfer_head(options.file);
+  Json json = Json::parse(head.header);
+  json["file"] = std::filesystem::path(options.file).filename().string();
+  json["bytes"] = std::filesystem::file_size(options.file);
+  put_sizes(head.transfer, head.receivers, json);
+  if (options.check) put_contents(read_transfer(options.file, file_kinds()), json);
   print_json(json);
 }
 
@@ -173,10 +184,11 @@ void add_fix_view_command(CLI::App& tool) {
 }
 
 void add_info_command(CLI::App& tool) {
-  auto file = std::make_shared<std::string>();
-  CLI::App& command = *tool.add_subcommand("info", "print the header and counts of a transfer file as JSON");
-  command.add_option("FILE", *file, "transfer file from `prt bake`")->required();
-  command.callback([file] { run_info(*file); });
+  auto options = std::make_shared<InfoCommand>();
+  CLI::App& command = *tool.add_subcommand("info", "print the header and sizes of a transfer file as JSON");
+  command.add_option("FILE", options->file, "transfer file from `prt bake`")->required();
+  command.add_flag("--check", options->check, "read and check the whole file, and print values from its body, too");
+  command.callback([options] { run_info(*options); });
 }
 
 void add_shader_command(CLI::App& tool) {

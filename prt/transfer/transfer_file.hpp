@@ -14,6 +14,18 @@ void write_transfer(const std::string& path, const Transfer& transfer);
 /// allocates memory. `kinds` are the accepted kinds.
 Transfer read_transfer(const std::string& path, TransferKinds kinds = surface_kinds());
 
+/// What a file tells without its sections: the header as it stands there, and a transfer with its kind, shapes and plan, but
+/// without numbers, vertices and faces.
+struct TransferHead {
+  std::string header;
+  Transfer transfer;
+  std::size_t receivers = 0;
+};
+
+/// Reads the head of a file of any size in a moment. Checks the file's size, the head, and that the sections fit the file and
+/// each other, but not what they hold. Throws like read_transfer().
+TransferHead read_transfer_head(const std::string& path, TransferKinds kinds = file_kinds());
+
 /// Whether a file can be read and begins as a transfer file does.
 bool is_transfer_file(const std::string& path);
 

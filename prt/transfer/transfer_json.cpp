@@ -438,6 +438,19 @@ Json to_json(const PlanRecord& plan) {
   return {{"budget", plan.budget}, {"error", plan.error}, {"light_turns", plan.light_turns}, {"decisions", decisions}};
 }
 
+namespace {
+
+// Its lowest and highest corner in the world.
+Json to_json(const Frame& frame, const Eigen::AlignedBox3f& box) {
+  Json corners = Json::array();
+  for (const Eigen::Vector3d& corner : {frame.world(box.min()), frame.world(box.max())}) {
+    corners.push_back({corner.x(), corner.y(), corner.z()});
+  }
+  return corners;
+}
+
+}  // namespace
+
 std::string transfer_header(const Transfer& transfer) {
   Json header = {{"format", "shforge transfer"}, {"scene", transfer.scene}, {"kind", transfer.kind->letters}};
   put_shape(transfer.shape, header);
@@ -447,6 +460,8 @@ std::string transfer_header(const Transfer& transfer) {
     header.update({{"vertices", transfer.mesh.positions.size()},
                    {"faces", transfer.mesh.faces.size()},
                    {"file_vertices", transfer.mesh.remap.size()}});
+    if (!transfer.mesh.positions.empty())
+      header["bounding_box"] = to_json(transfer.mesh.frame, bounding_box(transfer.mesh.positions));
   }
   header.update({{"directions", transfer.directions},
                  {"instruction_set", transfer.instruction_set},

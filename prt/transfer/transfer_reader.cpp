@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -42,21 +43,35 @@ class Reader {
                : nullptr;
   }
 
+  TransferHead head() {
+    read_prologue();
+    read_table();
+    TransferHead head;
+    head.header = read_header();
+    guarded([&] {
+      const nlohmann::json header = parsed(head.header);
+      take_header(header, prologue_.version, kinds_, head.transfer);
+      check_shape(head.transfer);
+      head.receivers = receivers(head.transfer);
+      if (!head.transfer.grid)
+        check_counts(header, {head.receivers, rows_of_section("face"), rows_of_section("remap")});
+    });
+    return head;
+  }
+
   Transfer read() {
     read_prologue();
     read_table();
     Transfer transfer;
-    try {
+    guarded([&] {
       const nlohmann::json header = parsed_header();
       take_header(header, prologue_.version, kinds_, transfer);
       check_shape(transfer);
       read_sections(transfer);
-      check_counts(header, transfer);
-    } catch (const nlohmann::json::exception&) {
-      fail("its JSON header lacks an entry or has one of the wrong type");
-    } catch (const std::invalid_argument& flaw) {
-      fail(flaw.what());
-    }
+      if (!transfer.grid) {
+        check_counts(header, {transfer.mesh.positions.size(), transfer.mesh.faces.size(), transfer.mesh.remap.size()});
+      }
+    });
     check_values(transfer);
     return transfer;
   }
@@ -64,6 +79,18 @@ class Reader {
  private:
   [[noreturn]] void fail(const std::string& what) const {
     throw std::runtime_error(fmt::format("{}: {}", path_, what));
+  }
+
+  // Names what is wrong with a header, and what does not fit together.
+  template <class Work>
+  void guarded(const Work& work) const {
+    try {
+      work();
+    } catch (const nlohmann::json::exception&) {
+      fail("its JSON header lacks an entry or has one of the wrong type");
+    } catch (const std::invalid_argument& flaw) {
+      fail(flaw.what());
+    }
   }
 
   void fetch(void* to, std::size_t bytes) {
@@ -108,8 +135,9 @@ class Reader {
     return header;
   }
 
-  nlohmann::json parsed_header() {
-    const std::string header = read_header();
+  nlohmann::json parsed_header() { return parsed(read_header()); }
+
+  [[nodiscard]] nlohmann::json parsed(const std::string& header) const {
     try {
       return output::parse_json<nlohmann::json>(header);
     } catch (const std::runtime_error& error) {
@@ -210,16 +238,19 @@ class Reader {
     }
   }
 
-  // Counts of the header, which repeat those of the sections.
-  void check_counts(const nlohmann::json& header, const Transfer& transfer) const {
-    if (transfer.grid) return;  // its counts have been compared
-    const std::pair<const char*, std::size_t> counts[] = {{"vertices", transfer.mesh.positions.size()},
-                                                          {"faces", transfer.mesh.faces.size()},
-                                                          {"file_vertices", transfer.mesh.remap.size()}};
-    for (const auto& [name, count] : counts) {
-      if (header.at(name) != count) {
-        fail(fmt::format("damaged transfer file: its JSON header says that `{}` is {}, its sections {}", name,
-                         header.at(name).dump(), count));
+  [[nodiscard]] std::uint64_t rows_of_section(std::string_view name) const {
+    const auto section = std::find_if(table_.begin(), table_.end(),
+                                      [&](const layout::Section& s) { return s.name == layout::padded(name); });
+    return section == table_.end() ? 0 : section->rows;
+  }
+
+  // Counts of the header, which repeat those of the sections: of vertices, faces and file_vertices.
+  void check_counts(const nlohmann::json& header, const std::array<std::uint64_t, 3>& counts) const {
+    constexpr std::array kNames = {"vertices", "faces", "file_vertices"};
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      if (header.at(kNames[i]) != counts[i]) {
+        fail(fmt::format("damaged transfer file: its JSON header says that `{}` is {}, its sections {}", kNames[i],
+                         header.at(kNames[i]).dump(), counts[i]));
       }
     }
   }
@@ -253,6 +284,8 @@ const TransferKind* kind_of_file(const std::string& path) {
     return nullptr;
   }
 }
+
+TransferHead read_transfer_head(const std::string& path, TransferKinds kinds) { return Reader(path, kinds).head(); }
 
 Transfer read_transfer(const std::string& path, TransferKinds kinds) { return Reader(path, kinds).read(); }
 

@@ -183,11 +183,32 @@ TEST_F(Tool, HelpExitsZeroAndGoesToStandardOutput) {
 }
 
 TEST_F(Tool, InfoDescribesABake) {
-  const auto json = printed({"info", baked});
+  const auto json = printed({"info", baked, "--check"});
   EXPECT_EQ(json["file"], "demo.transfer");
   EXPECT_EQ(json["degree"], 2);
   EXPECT_EQ(json["bytes"], std::filesystem::file_size(baked));
   EXPECT_GT(json["mean_of_first_coefficient"].get<double>(), 0.0);
+}
+
+// The head alone tells all but what the sections hold; damage there is found by a check.
+TEST_F(Tool, InfoReadsTheHeadAloneUnlessAskedToCheck) {
+  auto head = printed({"info", baked});
+  auto all = printed({"info", baked, "--check"});
+  EXPECT_EQ(head.at("bounding_box").size(), 2U);
+  EXPECT_GT(all.at("mean_of_first_coefficient").get<double>(), 0.0);
+  all.erase("mean_of_first_coefficient");
+  EXPECT_EQ(head, all);
+  std::string bytes = read_all(baked);
+  bytes.back() = static_cast<char>(bytes.back() ^ 1);
+  write_all(folder->file("damaged.transfer"), bytes);
+  EXPECT_EQ(printed({"info", folder->file("damaged.transfer")}).at("degree"), head.at("degree"));
+  expect_refused({"info", folder->file("damaged.transfer"), "--check"}, "the checksum of section");
+  for (const std::size_t at : {std::size_t{20}, std::size_t{60}, std::size_t{800}}) {  // prologue, table, header
+    bytes = read_all(baked);
+    bytes[at] = static_cast<char>(bytes[at] ^ 1);
+    write_all(folder->file("damaged.transfer"), bytes);
+    expect_refused({"info", folder->file("damaged.transfer")}, "damaged.transfer");
+  }
 }
 
 TEST_F(Tool, FilesThatAreNoTransferAreRefusedByEveryCommand) {

@@ -39,7 +39,7 @@ class GlossyTool : public testing::Test {
 };
 
 TEST_F(GlossyTool, TellsOperatorDegreesAndBytes) {
-  const auto shadowed = printed({"info", folder->file("shadowed")});
+  const auto shadowed = printed({"info", folder->file("shadowed"), "--check"});
   EXPECT_EQ(shadowed["kind"], "GS");
   EXPECT_EQ(shadowed["meets"], "operator");
   EXPECT_EQ(shadowed["degree"], 4);
@@ -95,7 +95,7 @@ TEST_F(GlossyTool, BakesAndTellsBrdfs) {
   write_all(folder->file("brdf.json"), scene_with(R"("albedo": [0.9, 0.7, 0.3], "roughness": 0.4, "metallic": 1)",
                                                   R"("degree": 2, "directions": 64, "transfer": "glossy_shadowed")"));
   succeeded({"bake", folder->file("brdf.json"), "-o", folder->file("brdf")});
-  const auto info = printed({"info", folder->file("brdf")});
+  const auto info = printed({"info", folder->file("brdf"), "--check"});
   ASSERT_EQ(info["brdfs"].size(), 1U);
   EXPECT_EQ(info["brdfs"][0]["name"], "roughness 0.4, metallic 1");
   EXPECT_GT(info["brdfs"][0]["share_that_the_degree_holds"], 0.1);

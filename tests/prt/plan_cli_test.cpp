@@ -34,7 +34,7 @@ TEST(PlanTool, BakesByThePlanAndTheFileSaysSo) {
   const std::string planned = folder.file("planned.transfer");
   const Finished run = succeeded(joined(kSmall, {"-o", planned, "--error", "0.05"}));
   EXPECT_NE(run.err.find("prt: plan: symmetry"), std::string::npos) << run.err;
-  const auto info = printed({"info", planned});
+  const auto info = printed({"info", planned, "--check"});
   EXPECT_EQ(info["plan"]["budget"], 0.05);
   EXPECT_TRUE(info.contains("storage"));
   succeeded({"relight", planned, "-o", folder.file("a.ply")});
@@ -48,7 +48,7 @@ TEST(PlanTool, StoresRowsAsClustersWhenToldTo) {
   const std::string file = folder.file("clusters.transfer");
   const Finished run = succeeded(joined(kSmall, {"-o", file, "--compress", "7", "3"}));
   EXPECT_NE(run.err.find("prt: rows of 7 clusters of 3 vectors: 5 bytes a vertex and "), std::string::npos) << run.err;
-  const auto info = printed({"info", file});
+  const auto info = printed({"info", file, "--check"});
   EXPECT_EQ(info["bytes_a_vertex"], 5);
   EXPECT_EQ(info["storage"]["clusters"], 7);
   EXPECT_EQ(info["storage"]["vectors"], 3);
@@ -60,7 +60,7 @@ TEST(PlanTool, StoresRowsAsClustersWhenToldTo) {
   EXPECT_GT(difference["relative_rms"].get<double>(), 0.0);
   EXPECT_LT(difference["relative_rms"].get<double>(), 0.1);
   EXPECT_NEAR(info["mean_of_first_coefficient"].get<double>(),
-              printed({"info", plain})["mean_of_first_coefficient"].get<double>(), 1e-3);
+              printed({"info", plain, "--check"})["mean_of_first_coefficient"].get<double>(), 1e-3);
   const auto plan = printed({"plan", "demo", "--degree", "2", "--plan", "exact", "--compress", "7", "3", "--json"});
   EXPECT_EQ(plan["bytes"]["planned"], info["vertices"].get<int>() * 5 + info["bytes_of_clusters"].get<int>());
   succeeded({"relight", file, "-o", folder.file("a.ply")});

@@ -42,7 +42,7 @@ class VolumeTool : public testing::Test {
 };
 
 TEST_F(VolumeTool, InfoTellsTheGrid) {
-  const nlohmann::json info = printed({"info", folder->file("n.transfer")});
+  const nlohmann::json info = printed({"info", folder->file("n.transfer"), "--check"});
   EXPECT_EQ(info["kind"], "N");
   EXPECT_EQ(info["points"], 486);
   EXPECT_EQ(info["grid"]["counts"], nlohmann::json({9, 9, 6}));
