@@ -187,6 +187,7 @@ std::string bake_key(const Scene& scene, const std::string& instruction_set, con
                                 {"seed", seed},
                                 {"instruction_set", instruction_set}};
   if (const int fewer = scene.bake.fewer_for_bounces(); fewer > 0) key["bounce_directions"] = fewer;
+  if (!scene.mesh.halving.empty()) key["traced_faces"] = faces_for_rays(scene.mesh.halving).size();
   if (!points.empty()) key["points"] = points;
   return key.dump();
 }

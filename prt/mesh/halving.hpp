@@ -1,5 +1,6 @@
-// How the faces of a mesh were halved: the faces before, and for each vertex that halving made, the edge whose middle it is.
-// With these, a mesh can do without some of the vertices: their values are interpolated along the edges.
+// How the faces of a mesh were halved: the faces before, the tree of their cuts, and for each vertex that halving made, the
+// edge whose middle it is. With these, a mesh can do without some of the vertices, whose values are interpolated along the
+// edges, and rays can be traced against the few faces before.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -14,19 +15,56 @@ struct Mesh;
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;
 inline constexpr std::uint32_t kNoFace = 0xFFFFFFFFU;
 
+/// How a face with corners f0, f1, f2 is cut; m and n are the middles of f0 f1 and f1 f2:
+///   kHalves        f0 m f2, m f1 f2
+///   kEarFromStart  m f1 n, f0 m n, f0 n f2
+///   kEarFromEnd    m f1 n, f0 m f2, m n f2
+///   kQuarters      three corners, and the middle
+enum class CutForm : std::uint8_t { kNone, kHalves, kEarFromStart, kEarFromEnd, kQuarters };
+
+constexpr std::size_t part_count(CutForm form) {
+  return form == CutForm::kQuarters ? 4 : form == CutForm::kHalves ? 2 : form == CutForm::kNone ? 0 : 3;
+}
+
+/// A cut of a face into parts. A part is a face of the mesh, with kIsFace, or another cut, which has a larger number.
+struct FaceCut {
+  static constexpr std::uint32_t kIsFace = 0x80000000U;
+  std::array<std::uint32_t, 4> parts = {};
+  CutForm form = CutForm::kNone;
+  std::uint8_t first = 0;  // the corner f0
+};
+
+/// A place in a face of a mesh: the parts of its corners.
+struct PlaceInFace {
+  std::uint32_t face;
+  std::array<double, 3> weights;
+};
+
+/// The face that has a place in the face that `part` cuts, whose corners have these weights.
+PlaceInFace located(const std::vector<FaceCut>& cuts, std::uint32_t part, std::array<double, 3> weights);
+
 struct Halving {
   /// A face before its edges were halved.
   struct Whole {
     std::array<std::uint32_t, 3> corners;
-    std::uint32_t first;     // its first part in Mesh::faces; the others follow
+    std::uint32_t part;
     bool is_turned = false;  // its parts are wound the other way: it is a back, cut as its front is
   };
-  std::vector<std::array<std::uint32_t, 2>> ends;  // (vertices) of the edge; kNoVertex for vertices of the files
-  std::vector<Whole> faces;                        // in the order of their parts
+  std::vector<std::array<std::uint32_t, 2>> ends;     // (vertices) of the edge; kNoVertex for vertices of the files
+  std::vector<Whole> faces;                           // in the order of their parts, which stand together
+  std::vector<FaceCut> cuts;                          // of all faces
+  std::vector<std::array<std::uint32_t, 3>> middles;  // (cuts) of the edges of the cut face; kNoVertex: it is whole
 
-  [[nodiscard]] bool empty() const { return ends.empty(); }
+  [[nodiscard]] bool empty() const { return cuts.empty(); }
   [[nodiscard]] bool is_middle(std::size_t vertex) const { return ends[vertex][0] != kNoVertex; }
+  /// The first face of a part; the others follow.
+  [[nodiscard]] std::uint32_t first_face(std::uint32_t part) const;
 };
+
+/// Faces in place of those of a halved mesh: they cover the same surface, and each has the cuts into the faces of the mesh.
+/// They are as large as single precision allows: no cut of them is deeper than kDeepestCut.
+inline constexpr int kDeepestCut = 8;
+std::vector<Halving::Whole> faces_for_rays(const Halving& halving);
 
 /// Adds those of backs, (vertices) and (faces) of the fronts; kNoVertex and kNoFace where there is none.
 void add_backs(Halving& halving, const std::vector<std::uint32_t>& backs, const std::vector<std::uint32_t>& back_faces);
@@ -41,8 +79,8 @@ std::vector<std::uint32_t> ends_first(const Halving& halving);
 /// middles, and the other vertices at the places of kept ones, so that faces on both sides of an edge agree.
 std::vector<std::uint8_t> with_ends(const Mesh& mesh, std::vector<std::uint8_t> kept);
 
-/// Leaves out the vertices that are not kept, and halves faces at the kept ones only. What is left keeps its order; the
-/// halving is empty afterwards. The marks are as with_ends() makes them, else it throws std::invalid_argument, as it does
+/// Leaves out the vertices that are not kept, and halves faces at the kept ones only. What is left keeps its order, and has
+/// its halving. The marks are as with_ends() makes them, else it throws std::invalid_argument, as it does
 /// for a mesh with an atlas, whose texels stand in place of vertices.
 void keep_vertices(Mesh& mesh, const std::vector<std::uint8_t>& kept);
 

@@ -80,8 +80,10 @@ double factor_that_fits(const Mesh& mesh, const EdgeLimit& limit) {
 
 class Splitter {
  public:
-  Splitter(Mesh& mesh, const EdgeLimit& limit) : mesh_(mesh), limit_(limit), origins_(mesh.faces.size()) {
+  Splitter(Mesh& mesh, const EdgeLimit& limit)
+      : mesh_(mesh), limit_(limit), origins_(mesh.faces.size()), owners_(mesh.faces.size()) {
     std::iota(origins_.begin(), origins_.end(), 0U);
+    std::iota(owners_.begin(), owners_.end(), kIsRoot);
     mesh_.halving = {};
     mesh_.halving.ends.assign(mesh.positions.size(), {kNoVertex, kNoVertex});
     for (const Face& face : mesh.faces) mesh_.halving.faces.push_back({face, 0});
@@ -93,13 +95,16 @@ class Splitter {
     faces.reserve(mesh_.faces.size() * 2);
     std::vector<std::uint32_t> origins;
     origins.reserve(faces.capacity());
+    std::vector<std::uint32_t> owners;
+    owners.reserve(faces.capacity());
     middles_.clear();
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
       output::check_interrupt();
-      split_face(mesh_.faces[f], faces);
+      split_face(mesh_.faces[f], owners_[f], faces, owners);
       origins.resize(faces.size(), origins_[f]);
     }
     origins_ = std::move(origins);
+    owners_ = std::move(owners);
     const bool changed = faces.size() != mesh_.faces.size();
     mesh_.faces = std::move(faces);
     return changed;
@@ -107,8 +112,8 @@ class Splitter {
 
   /// The original face of each face. The parts of a face stand together.
   std::vector<std::uint32_t> finish() {
-    for (auto f = static_cast<std::uint32_t>(origins_.size()); f-- > 0;) mesh_.halving.faces[origins_[f]].first = f;
-    if (origins_.size() == mesh_.halving.faces.size()) mesh_.halving = {};
+    for (std::uint32_t f = 0; f < owners_.size(); ++f) part_of(owners_[f]) = f | FaceCut::kIsFace;
+    if (mesh_.halving.empty()) mesh_.halving = {};
     return std::move(origins_);
   }
 
@@ -129,7 +134,14 @@ class Splitter {
     return entry->second;
   }
 
-  void split_face(const Face& face, std::vector<Face>& faces) {
+  // Where the tree names a face: a part of a cut, or with kIsRoot a face before cuts.
+  static constexpr std::uint32_t kIsRoot = 0x80000000U;
+  std::uint32_t& part_of(std::uint32_t owner) {
+    if ((owner & kIsRoot) != 0) return mesh_.halving.faces[owner ^ kIsRoot].part;
+    return mesh_.halving.cuts[owner / 4].parts[owner % 4];
+  }
+
+  void split_face(const Face& face, std::uint32_t owner, std::vector<Face>& faces, std::vector<std::uint32_t>& owners) {
     split(corners_of(mesh_, face), limit_, parts_);
     std::array<std::uint32_t, 6> points = {face[0], face[1], face[2], kNoVertex, kNoVertex, kNoVertex};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -137,11 +149,21 @@ class Splitter {
       if (parts_.is_split[k]) points[3 + k] = middle(face[k], face[(k + 1) % 3]);
     }
     for (const auto& part : parts_.faces) faces.push_back({points[part[0]], points[part[1]], points[part[2]]});
+    if (parts_.form == CutForm::kNone) {
+      owners.push_back(owner);
+      return;
+    }
+    const auto cut = static_cast<std::uint32_t>(mesh_.halving.cuts.size());
+    part_of(owner) = cut;
+    mesh_.halving.cuts.push_back({{}, parts_.form, static_cast<std::uint8_t>(parts_.first)});
+    mesh_.halving.middles.push_back({points[3], points[4], points[5]});
+    for (std::uint32_t i = 0; i < parts_.faces.size(); ++i) owners.push_back(4 * cut + i);
   }
 
   Mesh& mesh_;
   const EdgeLimit& limit_;
   std::vector<std::uint32_t> origins_;
+  std::vector<std::uint32_t> owners_;
   FaceParts parts_;
   std::unordered_map<std::array<std::uint32_t, 2>, std::uint32_t, WordsHash> middles_;
 };

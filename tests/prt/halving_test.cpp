@@ -8,8 +8,9 @@
 #include <random>
 #include <set>
 
+#include "prt/mesh/corners.hpp"
 #include "prt/mesh/weld.hpp"
-#include "prt/rays/sheets.hpp"
+#include "prt/rays/tracer.hpp"
 #include "prt/scene/scene.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
@@ -45,7 +46,7 @@ TEST(Halving, KeptAsAWholeIsTheSameMesh) {
     EXPECT_EQ(same.geometric_normals, mesh.geometric_normals) << name;
     EXPECT_EQ(same.faces, mesh.faces) << name;
     EXPECT_EQ(reaches(same), reaches(mesh)) << name;
-    EXPECT_TRUE(same.halving.empty()) << name;
+    EXPECT_EQ(same.halving.ends, mesh.halving.ends) << name;
   }
 }
 
@@ -217,6 +218,114 @@ TEST(Halving, OrdersEndsFirst) {
     if (!mesh.halving.is_middle(v)) continue;
     for (const std::uint32_t end : mesh.halving.ends[v]) EXPECT_LT(place[end], place[v]);
   }
+}
+
+// The weights of a place in the plane of a face.
+std::array<double, 3> weights_of(const Mesh& mesh, const Face& face, const Eigen::Vector3d& place) {
+  const Eigen::Vector3d a = mesh.positions[face[0]].cast<double>();
+  Eigen::Matrix<double, 3, 2> edges;
+  edges << mesh.positions[face[1]].cast<double>() - a, mesh.positions[face[2]].cast<double>() - a;
+  const Eigen::Vector2d along = edges.colPivHouseholderQr().solve(place - a);
+  return {1.0 - along.sum(), along[0], along[1]};
+}
+
+Eigen::Vector3d place_in(const Mesh& mesh, const Face& face, const std::array<double, 3>& weights) {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < 3; ++k) place += weights[k] * mesh.positions[face[k]].cast<double>();
+  return place;
+}
+
+TEST(Halving, FindsTheFaceOfEveryPlace) {
+  std::set<CutForm> forms;
+  for (const std::string name : {"box", "stairs", "arch", "cone", "cylinder"}) {
+    for (const double part : {0.03, 0.5, 1.0}) {
+      const Mesh whole = halved(name, 0.07F);
+      const Mesh mesh = less(whole, some_of(whole, 7, part));
+      const Halving& halving = mesh.halving;
+      for (const FaceCut& cut : halving.cuts) forms.insert(cut.form);
+      std::uint32_t next = 0;
+      for (const Halving::Whole& one : halving.faces) {
+        const std::uint32_t end = &one == &halving.faces.back() ? static_cast<std::uint32_t>(mesh.faces.size())
+                                                                : halving.first_face((&one)[1].part);
+        ASSERT_EQ(halving.first_face(one.part), next) << name;
+        for (; next < end; ++next) {
+          for (const std::array<double, 3>& inside :
+               {std::array{0.3, 0.3, 0.4}, {0.9, 0.05, 0.05}, {0.02, 0.9, 0.08}}) {
+            const Eigen::Vector3d place = place_in(mesh, mesh.faces[next], inside);
+            const PlaceInFace found = located(halving.cuts, one.part, weights_of(mesh, one.corners, place));
+            ASSERT_EQ(found.face, next) << name;
+            for (std::size_t k = 0; k < 3; ++k) ASSERT_NEAR(found.weights[k], inside[k], 1e-3) << name;
+          }
+        }
+      }
+      EXPECT_EQ(next, mesh.faces.size());
+    }
+  }
+  EXPECT_EQ(forms.size(), 4U) << "every form of a cut";
+}
+
+// Rays are traced against the faces before halving; hits are those of the mesh, whatever was halved, kept and two-sided.
+TEST(Halving, LeavesRaysTheHitsOfTheMesh) {
+  const std::string thin = R"({"primitive": "plane", "max_edge": 0.05, "sides": 2},
+                              {"primitive": "box", "max_edge": 0.1, "transform": {"translate": [0.4, 0.2, -0.8]}})";
+  std::vector<Mesh> meshes = {halved("arch", 0.05F), halved("cone", 0.1F), halved("plane", 0.003F),
+                              scene_of_json(thin).mesh};
+  for (std::size_t i = 0; i < 4; ++i) meshes.push_back(less(meshes[i], some_of(meshes[i], 3, 0.2)));
+  std::mt19937 engine(5);
+  std::uniform_real_distribution<float> number(-1.0F, 1.0F);
+  for (const Mesh& mesh : meshes) {
+    Mesh plain = mesh;
+    plain.halving = {};
+    ASSERT_FALSE(mesh.halving.empty());
+    const Tracer by_wholes(mesh, 1);
+    const Tracer by_faces(plain, 1);
+    std::vector<Eigen::Vector3f> origins;
+    std::vector<Eigen::Vector3f> directions;
+    for (int k = 0; k < 4000; ++k) {
+      origins.push_back(3.0F * Eigen::Vector3f(number(engine), number(engine), number(engine)).normalized());
+      const Eigen::Vector3f target = 0.6F * Eigen::Vector3f(number(engine), number(engine), number(engine));
+      directions.push_back((target - origins.back()).normalized());
+    }
+    std::vector<Hit> hits(origins.size());
+    std::vector<Hit> expected(origins.size());
+    by_wholes.intersect(origins, directions, hits);
+    by_faces.intersect(origins, directions, expected);
+    std::size_t others = 0;
+    std::size_t met = 0;
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      if (hits[k].face == Hit::kNothing || expected[k].face == Hit::kNothing) {
+        others += hits[k].face == expected[k].face ? 0 : 1;
+        continue;
+      }
+      ++met;
+      others += hits[k].face == expected[k].face ? 0 : 1;
+      const Eigen::Vector3f place = interpolated(hits[k], mesh, mesh.positions);
+      EXPECT_LT((place - interpolated(expected[k], mesh, mesh.positions)).norm(), 1e-4F);
+      EXPECT_NEAR(hits[k].distance, expected[k].distance, 1e-4F) << "grazing rays";
+      EXPECT_GT(face_normal(mesh.positions, mesh.faces[hits[k].face])
+                    .dot(face_normal(mesh.positions, mesh.faces[expected[k].face])),
+                0.0F);
+    }
+    EXPECT_GT(met, 500U);
+    EXPECT_LT(others, hits.size() / 100) << "they lie on edges";
+  }
+}
+
+TEST(Halving, GivesRaysNoFaceThatIsMuchLargerThanItsParts) {
+  const Mesh mesh = halved("plane", 0.003F);  // halved nine times
+  const std::vector<Halving::Whole> traced = faces_for_rays(mesh.halving);
+  EXPECT_EQ(mesh.halving.faces.size(), 2U);
+  EXPECT_EQ(traced.size(), 8U);
+  std::uint32_t next = 0;
+  double area = 0.0;
+  for (const Halving::Whole& face : traced) {
+    EXPECT_EQ(mesh.halving.first_face(face.part), next);
+    next += static_cast<std::uint32_t>(mesh.faces.size() / traced.size());
+    const auto at = [&](std::size_t k) { return mesh.positions[face.corners[k]].cast<double>().eval(); };
+    area += 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
+  }
+  EXPECT_NEAR(area, 1.0, 1e-6);
+  EXPECT_EQ(faces_for_rays(halved("arch", 0.05F).halving).size(), primitive_mesh("arch", 12).faces.size());
 }
 
 TEST(Halving, RefusesMarksThatLeaveOutWhatIsNeeded) {
