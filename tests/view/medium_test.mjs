@@ -106,7 +106,7 @@ test('What does not fit is refused in one line, and a changed byte with the word
     const damaged = Buffer.from(bytes.map((byte, i) => (i === at ? byte ^ 4 : byte)));
     fs.writeFileSync(inFolder('bad.transfer'), damaged);
     pageWith('cloud.html', 'damaged.html', damaged);
-    const words = refusal('info', 'bad.transfer').replace('bad.transfer', 'cloud.transfer');
+    const words = refusal('info', 'bad.transfer', '--check').replace('bad.transfer', 'cloud.transfer');
     await withPage('damaged.html', async (page) => assert.equal(await message(page), words), kSize);
   }
 });

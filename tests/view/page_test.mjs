@@ -234,7 +234,7 @@ test('A changed byte is refused with the words of prt', async () => {
                  ['half of it', bytes.subarray(0, bytes.length / 2)], ['ten bytes', bytes.subarray(0, 10)], ['no transfer file', Buffer.alloc(100, 'x')], ['more bytes', Buffer.concat([bytes, Buffer.alloc(3)])]];
   for (const [what, damaged] of cases) {
     fs.writeFileSync(inFolder('bounced.transfer.bad'), damaged);
-    const words = refusal('info', 'bounced.transfer.bad').replace('bounced.transfer.bad', 'bounced.transfer');
+    const words = refusal('info', 'bounced.transfer.bad', '--check').replace('bounced.transfer.bad', 'bounced.transfer');
     pageWith('bounced.html', 'damaged.html', damaged);
     await withPage('damaged.html', async (page) => assert.equal(await message(page), words, what));
   }
