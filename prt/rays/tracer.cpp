@@ -99,8 +99,8 @@ struct TracedFaces {
   [[nodiscard]] Hit of_mesh(const Hit& hit) const {
     if (wholes.empty()) return hit;
     const Halving::Whole& whole = wholes[hit.face];
-    const double u = static_cast<double>(hit.u);
-    const double v = static_cast<double>(hit.v);
+    const auto u = static_cast<double>(hit.u);
+    const auto v = static_cast<double>(hit.v);
     std::array<double, 3> weights = {1.0 - u - v, u, v};
     if (whole.is_turned) std::swap(weights[1], weights[2]);
     PlaceInFace place = located(cuts, whole.part, weights);
