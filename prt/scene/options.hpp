@@ -53,9 +53,9 @@ enum class LightTurns { kNone, kAboutZ, kAny };
 inline constexpr std::array<std::string_view, 3> kLightTurnsNames = {"none", "about_z", "any"};
 constexpr std::string_view name_of(LightTurns turns) { return word_of(turns, kLightTurnsNames); }
 
-inline constexpr std::array<std::string_view, 11> kDecisionNames = {
-    "receivers",  "analytic", "bounces", "channels", "bands",     "matrices",
-    "visibility", "symmetry", "storage", "hits",     "directions"};
+inline constexpr std::array<std::string_view, 11> kDecisionNames = {"receivers", "analytic", "bounces",    "channels",
+                                                                    "bands",     "matrices", "visibility", "symmetry",
+                                                                    "storage",   "hits",     "directions"};
 
 /// kExact: leaves out only work that changes no number under any light. kLossy: also leaves out numbers, as long as the
 /// error under the declared lights stays within `PlanOptions::error`.
