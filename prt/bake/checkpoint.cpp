@@ -15,6 +15,7 @@
 
 #include "numeric/output/parse_json.hpp"
 #include "prt/mesh/mesh_checksum.hpp"
+#include "prt/rays/whole_faces.hpp"
 #include "prt/say.hpp"
 #include "prt/transfer/checksum.hpp"
 #include "prt/whole_number.hpp"

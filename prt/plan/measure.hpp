@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "prt/mesh/halving.hpp"
+#include "prt/mesh/keep_vertices.hpp"
 #include "prt/plan/bounds.hpp"
 #include "prt/plan/color_rehearsal.hpp"
 #include "prt/plan/probe.hpp"

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "prt/light/light.hpp"
+#include "prt/mesh/keep_vertices.hpp"
 #include "prt/plan/draft.hpp"
 #include "prt/plan/views.hpp"
 

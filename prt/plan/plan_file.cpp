@@ -13,6 +13,7 @@
 #include "numeric/output/parse_json.hpp"
 #include "prt/arrays.hpp"
 #include "prt/light/light.hpp"
+#include "prt/mesh/keep_vertices.hpp"
 #include "prt/mesh/mesh_checksum.hpp"
 #include "prt/scene/scene_parts.hpp"
 #include "prt/transfer/checksum.hpp"

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "prt/rays/sheets.hpp"
+#include "prt/rays/whole_faces.hpp"
 
 namespace sh::prt {
 
@@ -57,71 +58,13 @@ namespace {
 
 }  // namespace
 
-// What rays are traced against: a mesh, or the few faces that it had before their edges were halved. Rays then meet the same
-// surface, in a smaller tree.
-struct TracedFaces {
-  explicit TracedFaces(const Mesh& mesh) {
-    if (mesh.halving.empty()) {
-      surface.positions = mesh.positions;
-      surface.faces = mesh.faces;
-      return;
-    }
-    wholes = faces_for_rays(mesh.halving);
-    cuts.reserve(mesh.halving.cuts.size());
-    for (Halving::Whole& whole : wholes) whole.part = copy(mesh.halving.cuts, whole.part);
-    std::vector<std::uint32_t> numbers(mesh.positions.size(), kNoVertex);
-    for (const Halving::Whole& whole : wholes) {
-      Face face = whole.corners;
-      if (whole.is_turned) std::swap(face[1], face[2]);
-      for (std::uint32_t& corner : face) {
-        if (numbers[corner] == kNoVertex) {
-          numbers[corner] = static_cast<std::uint32_t>(surface.positions.size());
-          surface.positions.push_back(mesh.positions[corner]);
-        }
-        corner = numbers[corner];
-      }
-      surface.faces.push_back(face);
-    }
-  }
-
-  // Copies the cuts of a part so that those of a place stand together in memory. Returns the part.
-  std::uint32_t copy(const std::vector<FaceCut>& from, std::uint32_t part) {
-    if ((part & FaceCut::kIsFace) != 0) return part;
-    const auto cut = static_cast<std::uint32_t>(cuts.size());
-    cuts.push_back(from[part]);
-    for (std::size_t i = 0; i < cuts[cut].parts.size(); ++i) {
-      if (i < part_count(cuts[cut].form)) cuts[cut].parts[i] = copy(from, from[part].parts[i]);
-    }
-    return cut;
-  }
-
-  // The hit of the mesh for a hit of the surface.
-  [[nodiscard]] Hit of_mesh(const Hit& hit) const {
-    if (wholes.empty()) return hit;
-    const Halving::Whole& whole = wholes[hit.face];
-    const auto u = static_cast<double>(hit.u);
-    const auto v = static_cast<double>(hit.v);
-    std::array<double, 3> weights = {1.0 - u - v, u, v};
-    if (whole.is_turned) std::swap(weights[1], weights[2]);
-    PlaceInFace place = located(cuts, whole.part, weights);
-    if (whole.is_turned) std::swap(place.weights[1], place.weights[2]);
-    return {place.face, static_cast<float>(place.weights[1]), static_cast<float>(place.weights[2]), hit.distance};
-  }
-
-  Mesh surface;                        // positions and faces; none after the tree has been built
-  std::vector<Halving::Whole> wholes;  // (faces of the surface), or none
-  std::vector<FaceCut> cuts;
-};
-
 struct Tracer::Impl {
-  explicit Impl(const Mesh& mesh) : frame(mesh.frame), faces(mesh), sheets(faces.surface) {}
-
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::string instruction_set;
   Frame frame;
   std::atomic<std::uint64_t> rays{0};
-  TracedFaces faces;
+  WholeFaces wholes;
   Sheets sheets;
 
   ~Impl() {
@@ -138,6 +81,7 @@ struct Tracer::Impl {
   }
 
   void add(const Mesh& mesh) {
+    sheets = Sheets(mesh);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                              sizeof(Eigen::Vector3f), mesh.positions.size());
@@ -158,11 +102,15 @@ struct Tracer::Impl {
   }
 };
 
-Tracer::Tracer(const Mesh& mesh, int threads, const std::string& instruction_set)
-    : impl_(std::make_unique<Impl>(mesh)) {
+Tracer::Tracer(const Mesh& mesh, int threads, const std::string& instruction_set) : impl_(std::make_unique<Impl>()) {
+  impl_->frame = mesh.frame;
   impl_->open(threads, instruction_set);
-  impl_->add(impl_->faces.surface);
-  impl_->faces.surface = {};
+  if (mesh.halving.empty()) {
+    impl_->add(mesh);
+  } else {
+    impl_->wholes = WholeFaces(mesh.halving);
+    impl_->add(impl_->wholes.surface(mesh));
+  }
 }
 
 Tracer::~Tracer() = default;
@@ -205,7 +153,7 @@ void Tracer::intersect(std::span<const Eigen::Vector3f> origins, std::span<const
         const Eigen::Vector3f normal(rays[i].hit.Ng_x, rays[i].hit.Ng_y, rays[i].hit.Ng_z);
         impl_->sheets.face_ray(normal.dot(directions[first + i]) > 0.0F, hits[first + i]);
       }
-      if (hit) hits[first + i] = impl_->faces.of_mesh(hits[first + i]);
+      if (hit && impl_->wholes.any()) hits[first + i] = impl_->wholes.hit_of_mesh(hits[first + i]);
     }
   }
 }

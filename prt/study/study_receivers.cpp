@@ -7,6 +7,7 @@
 
 #include "numeric/output/progress.hpp"
 #include "prt/chunks.hpp"
+#include "prt/mesh/keep_vertices.hpp"
 #include "prt/plan/plan.hpp"
 #include "prt/study/study_setup.hpp"
 
@@ -64,12 +65,7 @@ class ReceiverStudy {
     const Transfer transfer = shadowed(setup_, degree(), setup_.options.bounce_directions, mesh);
     const double seconds = process_seconds() - before;
     const Radiances receivers = shaded(transfer, setup_.light, degree());
-    Radiances shown(kept.size());
-    auto next = receivers.begin();
-    for (std::size_t v = 0; v < kept.size(); ++v) {
-      if (kept[v] != 0) shown[v] = *next++;
-    }
-    interpolate_left_out(setup_.scene.mesh.halving, order_, kept, shown);
+    const Radiances shown = shown_by_kept(setup_.scene.mesh.halving, order_, kept, receivers);
     const auto count = static_cast<double>(receivers.size());
     return {
         .at = count,

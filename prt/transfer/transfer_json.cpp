@@ -212,9 +212,13 @@ Frame frame_from(const nlohmann::json& json) {
   return frame;
 }
 
-Json to_json(const PointGrid& grid) {
+Json to_json(const Eigen::AlignedBox3d& box) {
   const auto corner = [](const Eigen::Vector3d& p) { return Json{p.x(), p.y(), p.z()}; };
-  return {{"box", {corner(grid.box.min()), corner(grid.box.max())}}, {"counts", grid.counts}, {"filled", grid.filled}};
+  return {corner(box.min()), corner(box.max())};
+}
+
+Json to_json(const PointGrid& grid) {
+  return {{"box", to_json(grid.box)}, {"counts", grid.counts}, {"filled", grid.filled}};
 }
 
 PointGrid grid_from(const nlohmann::json& json) {
@@ -438,19 +442,6 @@ Json to_json(const PlanRecord& plan) {
   return {{"budget", plan.budget}, {"error", plan.error}, {"light_turns", plan.light_turns}, {"decisions", decisions}};
 }
 
-namespace {
-
-// Its lowest and highest corner in the world.
-Json to_json(const Frame& frame, const Eigen::AlignedBox3f& box) {
-  Json corners = Json::array();
-  for (const Eigen::Vector3d& corner : {frame.world(box.min()), frame.world(box.max())}) {
-    corners.push_back({corner.x(), corner.y(), corner.z()});
-  }
-  return corners;
-}
-
-}  // namespace
-
 std::string transfer_header(const Transfer& transfer) {
   Json header = {{"format", "shforge transfer"}, {"scene", transfer.scene}, {"kind", transfer.kind->letters}};
   put_shape(transfer.shape, header);
@@ -460,8 +451,11 @@ std::string transfer_header(const Transfer& transfer) {
     header.update({{"vertices", transfer.mesh.positions.size()},
                    {"faces", transfer.mesh.faces.size()},
                    {"file_vertices", transfer.mesh.remap.size()}});
-    if (!transfer.mesh.positions.empty())
-      header["bounding_box"] = to_json(transfer.mesh.frame, bounding_box(transfer.mesh.positions));
+    if (!transfer.mesh.positions.empty()) {
+      const Eigen::AlignedBox3f box = bounding_box(transfer.mesh.positions);
+      const Frame& frame = transfer.mesh.frame;
+      header["bounding_box"] = to_json(Eigen::AlignedBox3d(frame.world(box.min()), frame.world(box.max())));
+    }
   }
   header.update({{"directions", transfer.directions},
                  {"instruction_set", transfer.instruction_set},

@@ -193,12 +193,23 @@ class Reader {
     }
   }
 
+  // Null if the file has no such section.
+  [[nodiscard]] const layout::Section* find_section(std::string_view name) const {
+    const auto found = std::find_if(table_.begin(), table_.end(),
+                                    [&](const layout::Section& s) { return s.name == layout::padded(name); });
+    return found == table_.end() ? nullptr : &*found;
+  }
+
+  [[nodiscard]] std::uint64_t rows_of_section(std::string_view name) const {
+    const layout::Section* section = find_section(name);
+    return section == nullptr ? 0 : section->rows;
+  }
+
   // Reads a section into its items, which stay empty if the file has no such section.
   template <class T>
   void fetch_section(const layout::Kind& kind, std::vector<T>& items) {
-    const auto section = std::find_if(table_.begin(), table_.end(),
-                                      [&](const layout::Section& s) { return s.name == layout::padded(kind.name); });
-    if (section == table_.end()) return;
+    const layout::Section* section = find_section(kind.name);
+    if (section == nullptr) return;
     renew_on_large_pages(items, bytes_of(*section) / sizeof(T));
     fetch(items.data(), items.size() * sizeof(T));
     if (checksum(items.data(), items.size() * sizeof(T)) != section->checksum) {
@@ -236,12 +247,6 @@ class Reader {
                      [](float scale) { return scale >= 0.0F && std::isfinite(scale); })) {
       fail("damaged transfer file: a scale is negative or not finite");
     }
-  }
-
-  [[nodiscard]] std::uint64_t rows_of_section(std::string_view name) const {
-    const auto section = std::find_if(table_.begin(), table_.end(),
-                                      [&](const layout::Section& s) { return s.name == layout::padded(name); });
-    return section == table_.end() ? 0 : section->rows;
   }
 
   // Counts of the header, which repeat those of the sections: of vertices, faces and file_vertices.

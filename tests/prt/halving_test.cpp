@@ -1,6 +1,4 @@
 // Vertices that halving made can be left out: what is left is a mesh without cracks, and blends say what is shown between.
-#include "prt/mesh/halving.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +7,10 @@
 #include <set>
 
 #include "prt/mesh/corners.hpp"
+#include "prt/mesh/keep_vertices.hpp"
 #include "prt/mesh/weld.hpp"
 #include "prt/rays/tracer.hpp"
+#include "prt/rays/whole_faces.hpp"
 #include "prt/scene/scene.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"

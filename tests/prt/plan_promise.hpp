@@ -11,6 +11,7 @@
 #include "prt/bake/bake.hpp"
 #include "prt/chunks.hpp"
 #include "prt/light/light.hpp"
+#include "prt/mesh/keep_vertices.hpp"
 #include "prt/rays/directions.hpp"
 #include "prt/runtime/glossy.hpp"
 #include "prt/runtime/relight.hpp"
@@ -32,13 +33,7 @@ inline std::vector<Eigen::Matrix3d> turns_of(LightTurns turns) {
 inline std::vector<Eigen::Vector3f> shown(const Mesh& asked, const std::vector<std::uint8_t>& receivers,
                                           const std::vector<Eigen::Vector3f>& colors) {
   if (receivers.empty()) return colors;
-  std::vector<Eigen::Vector3f> all(receivers.size());
-  auto next = colors.begin();
-  for (std::size_t v = 0; v < all.size(); ++v) {
-    if (receivers[v] != 0) all[v] = *next++;
-  }
-  interpolate_left_out(asked.halving, ends_first(asked.halving), receivers, all);
-  return all;
+  return shown_by_kept(asked.halving, ends_first(asked.halving), receivers, colors);
 }
 
 /// The square of the difference of exit radiance for each vertex.
