@@ -113,7 +113,7 @@ void check(const BakeJob& job) {
   }
 }
 
-// tracer: of the scene, or null.
+// Without the mesh. tracer: of the scene, or null.
 Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan& plan,
                    const std::shared_ptr<Tracer>& tracer, BakeReport& report) {
   if (!settings.ranks.is_first() && !scene.bake.kind->has_form_factors()) return {};
@@ -140,7 +140,7 @@ Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan&
 // Takes channel `c` and the worse value of each number of the report.
 void take_channel(const Transfer& from, int c, Transfer& to) {
   const std::size_t count = to.shape.count();
-  for (std::size_t v = 0; v < to.mesh.positions.size(); ++v) {
+  for (std::size_t v = 0; v < to.coefficients.size() / to.shape.length(); ++v) {
     std::copy_n(from.row(v) + c * count, count, to.row(v) + c * count);
   }
   for (std::size_t v = 0; v < to.emitted.size(); ++v) to.emitted[v][c] = from.emitted[v][c];
@@ -173,7 +173,6 @@ Transfer run_by_channel(const BakeJob& job, const std::shared_ptr<Tracer>& trace
       take_channel(channel, c, transfer);
     }
   }
-  transfer.mesh = job.scene.mesh;
   return transfer;
 }
 
@@ -188,6 +187,10 @@ std::shared_ptr<Tracer> prepare(BakeJob& job, const BakeObserver& say) {
                     estimate.bounces > 0.0                     ? fmt::format(", {:.0f} bounces", estimate.bounces)
                     : job.scene.bake.kind->indirect != nullptr ? ", bounces not counted"
                                                                : ""));
+  }
+  if (const std::size_t shared = estimate.tracer->shared_faces(); say && shared > 0) {
+    say(fmt::format("{:.3g} million faces of copies share the trees of their originals",
+                    1e-6 * static_cast<double>(shared)));
   }
   if (!job.budget) return estimate.tracer;
   const auto& [seconds, spent] = *job.budget;
@@ -300,6 +303,8 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
   if (report != nullptr) *report = measured;
   if (!job.settings.checkpoint.shard.is_whole()) return {};  // the checkpoint is the result
   if (!job.settings.ranks.is_first()) return {};
+  transfer.mesh = std::move(job.scene.mesh);
+  if (!wanted.kind->is_glossy()) leave_out_gloss(transfer.mesh);
   take_plan(*job.plan, transfer);
   if (wanted.kind->stores_visibility()) keep_bands(wanted.keep, transfer);
   if (wanted.compress.clusters > 0 || !job.plan->clusters.empty()) {

@@ -15,7 +15,6 @@
 
 #include "numeric/output/parse_json.hpp"
 #include "prt/mesh/mesh_checksum.hpp"
-#include "prt/rays/whole_faces.hpp"
 #include "prt/say.hpp"
 #include "prt/transfer/checksum.hpp"
 #include "prt/whole_number.hpp"
@@ -188,7 +187,10 @@ std::string bake_key(const Scene& scene, const std::string& instruction_set, con
                                 {"seed", seed},
                                 {"instruction_set", instruction_set}};
   if (const int fewer = scene.bake.fewer_for_bounces(); fewer > 0) key["bounce_directions"] = fewer;
-  if (!scene.mesh.halving.empty()) key["traced_faces"] = faces_for_rays(scene.mesh.halving).size();
+  if (const Halving& halving = scene.mesh.halving; !halving.empty()) {
+    key["cut_faces"] = halving.faces.size();
+    key["cuts"] = halving.cuts.size();
+  }
   if (!points.empty()) key["points"] = points;
   return key.dump();
 }

@@ -21,8 +21,10 @@ namespace sh::prt {
 namespace {
 
 constexpr double kSampleSeconds = 0.05;
-constexpr std::size_t kMostSamples = 1024;
-constexpr std::size_t kPanels = 4;            // of the series: sum, term, next term, right sides
+constexpr std::size_t kMostSamples = 4096;
+constexpr std::size_t kRunRays = 2048;   // of vertices sampled one after the other, as the bake traces them: the first
+constexpr std::size_t kLongestRun = 32;  // rays of such a run bring their part of the tree into the caches
+constexpr std::size_t kPanels = 4;       // of the series: sum, term, next term, right sides
 constexpr std::size_t kBytesADirection = 72;  // of a thread's buffers
 constexpr double kUsedOfBudget = 5.0 / 6.0;
 constexpr double kBouncesOfBudget = 0.5;
@@ -35,18 +37,23 @@ std::size_t resident_memory() {
   return resident * sysconf(_SC_PAGESIZE);
 }
 
-// Vertices that need rays, in golden-ratio order: any number of the first ones is spread over the mesh.
-std::vector<std::uint32_t> spread_vertices(std::size_t vertices, const std::vector<std::uint8_t>& open,
-                                           std::size_t& traced) {
+// Vertices that need rays, in runs in golden-ratio order: any number of the first runs is spread over the mesh.
+std::vector<std::uint32_t> spread_vertices(std::size_t vertices, std::size_t directions,
+                                           const std::vector<std::uint8_t>& open, std::size_t& traced) {
   std::vector<std::uint32_t> closed;
   for (std::size_t v = 0; v < vertices; ++v) {
     if (open.empty() || open[v] == 0) closed.push_back(static_cast<std::uint32_t>(v));
   }
   traced = closed.size();
   std::vector<std::uint32_t> spread;
-  for (std::size_t i = 0; i < std::min(kMostSamples, closed.size()); ++i) {
+  const std::size_t run =
+      closed.size() > kMostSamples ? std::clamp<std::size_t>(kRunRays / directions, 1, kLongestRun) : 1;
+  const std::size_t runs = closed.size() / run;
+  for (std::size_t i = 0; i < std::min(kMostSamples / run, runs); ++i) {
     const double turn = static_cast<double>(i) / std::numbers::phi;
-    spread.push_back(closed[static_cast<std::size_t>((turn - std::floor(turn)) * static_cast<double>(closed.size()))]);
+    const auto first = static_cast<std::size_t>((turn - std::floor(turn)) * static_cast<double>(runs)) * run;
+    spread.insert(spread.end(), closed.begin() + static_cast<std::ptrdiff_t>(first),
+                  closed.begin() + static_cast<std::ptrdiff_t>(first + run));
   }
   return spread;
 }
@@ -110,7 +117,7 @@ BakeEstimate estimate_rays(const BakeJob& job) {
   estimate.tracer = setup.shared;
   estimate.setup_seconds = stopwatch.seconds();
   const std::size_t vertices = scene.mesh.positions.size();
-  std::vector<std::uint32_t> samples = spread_vertices(vertices, open, estimate.vertices);
+  std::vector<std::uint32_t> samples = spread_vertices(vertices, setup.directions.size(), open, estimate.vertices);
   Transfer transfer;
   transfer.shape = scene.bake.kind->traced_shape(scene.bake.degree);
   transfer.coefficients = unshadowed_transfer(transfer.shape, scene.mesh);

@@ -135,10 +135,8 @@ void take_solution(const Panel& x, const BounceLayout& layout, Transfer& transfe
 
 void take_unshadowed(BakeRun& run) {
   run.transfer.scene = run.scene.name;
-  run.transfer.mesh = run.scene.mesh;
-  if (!run.transfer.kind->is_glossy()) {
-    if (!run.scene.mesh.normal_map.empty()) report(run, "its normal maps are left out, which only glossy kinds show");
-    leave_out_gloss(run.transfer.mesh);
+  if (!run.transfer.kind->is_glossy() && !run.scene.mesh.normal_map.empty()) {
+    report(run, "its normal maps are left out, which only glossy kinds show");
   }
   run.transfer.shape = run.scene.bake.kind->traced_shape(run.scene.bake.degree);
   run.transfer.instruction_set = "any";

@@ -40,7 +40,7 @@ struct BakeRun {
   const BakeSettings& settings;
   const std::vector<std::uint8_t>& open;  // as in Plan
   std::shared_ptr<Tracer> tracer;         // of the mesh, if there is one
-  Transfer transfer;                      // in the shape of the last finished step
+  Transfer transfer;                      // in the shape of the last finished step, without the mesh
   std::optional<RaySetup> rays;
   std::optional<FormFactors> factors;  // only for kinds with bounces
   std::optional<ShadowResult> found;

@@ -6,20 +6,6 @@
 
 namespace sh::prt {
 
-namespace {
-
-// That of a mesh in which no face was halved.
-Halving none_of(const Mesh& mesh) {
-  Halving halving;
-  halving.ends.assign(mesh.positions.size(), {kNoVertex, kNoVertex});
-  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
-    halving.faces.push_back({mesh.faces[f], f | FaceCut::kIsFace});
-  }
-  return halving;
-}
-
-}  // namespace
-
 void add_backs(Halving& halving, const std::vector<std::uint32_t>& backs,
                const std::vector<std::uint32_t>& back_faces) {
   if (halving.empty()) return;
@@ -57,8 +43,10 @@ void add_backs(Halving& halving, const std::vector<std::uint32_t>& backs,
 
 void append_halving(Mesh& mesh, const Mesh& part) {
   if (mesh.halving.empty() && part.halving.empty()) return;
-  if (mesh.halving.empty()) mesh.halving = none_of(mesh);
-  Halving own = part.halving.empty() ? none_of(part) : part.halving;
+  const std::array<std::uint32_t, 2> none = {kNoVertex, kNoVertex};
+  mesh.halving.ends.resize(mesh.positions.size(), none);
+  Halving own = part.halving;
+  own.ends.resize(part.positions.size(), none);
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   const auto first_face = static_cast<std::uint32_t>(mesh.faces.size());
   const auto first_cut = static_cast<std::uint32_t>(mesh.halving.cuts.size());
@@ -80,7 +68,12 @@ void append_halving(Mesh& mesh, const Mesh& part) {
   append_all(mesh.halving.cuts, own.cuts);
 }
 
-std::uint32_t Halving::first_face(std::uint32_t part) const {
+std::uint32_t end_of_faces(const std::vector<FaceCut>& cuts, std::uint32_t part) {
+  while ((part & FaceCut::kIsFace) == 0) part = cuts[part].parts[part_count(cuts[part].form) - 1];
+  return (part ^ FaceCut::kIsFace) + 1;
+}
+
+std::uint32_t first_face(const std::vector<FaceCut>& cuts, std::uint32_t part) {
   while ((part & FaceCut::kIsFace) == 0) part = cuts[part].parts[0];
   return part ^ FaceCut::kIsFace;
 }

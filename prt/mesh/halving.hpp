@@ -34,23 +34,41 @@ struct FaceCut {
   std::uint8_t first = 0;  // the corner f0
 };
 
+/// The first face of a part, and the one behind its last.
+std::uint32_t first_face(const std::vector<FaceCut>& cuts, std::uint32_t part);
+std::uint32_t end_of_faces(const std::vector<FaceCut>& cuts, std::uint32_t part);
+
 struct Halving {
-  /// A face before its edges were halved.
+  /// A face before its edges were halved. One that was not cut is its own part.
   struct Whole {
     std::array<std::uint32_t, 3> corners;
     std::uint32_t part;
     bool is_turned = false;  // its parts are wound the other way: it is a back, cut as its front is
   };
-  std::vector<std::array<std::uint32_t, 2>> ends;     // (vertices) of the edge; kNoVertex for vertices of the files
-  std::vector<Whole> faces;                           // in the order of their parts, which stand together
-  std::vector<FaceCut> cuts;                          // of all faces
+  std::vector<std::array<std::uint32_t, 2>> ends;  // (vertices) of the edge; kNoVertex for vertices of the files
+  std::vector<Whole> faces;                        // that were cut, in the order of their parts, which stand together
+  std::vector<FaceCut> cuts;                       // of all faces
   std::vector<std::array<std::uint32_t, 3>> middles;  // (cuts) of the edges of the cut face; kNoVertex: it is whole
 
   [[nodiscard]] bool empty() const { return cuts.empty(); }
   [[nodiscard]] bool is_middle(std::size_t vertex) const { return ends[vertex][0] != kNoVertex; }
-  /// The first face of a part; the others follow.
-  [[nodiscard]] std::uint32_t first_face(std::uint32_t part) const;
+  [[nodiscard]] std::uint32_t first_face(std::uint32_t part) const { return prt::first_face(cuts, part); }
 };
+
+/// Calls `visit` with every face before its edges were halved, in the order of `faces`, the faces of the mesh.
+template <class Visit>
+void visit_wholes(const Halving& halving, const std::vector<std::array<std::uint32_t, 3>>& faces, const Visit& visit) {
+  std::uint32_t next = 0;
+  const auto visit_uncut = [&](std::size_t end) {
+    for (; next < end; ++next) visit(Halving::Whole{faces[next], next | FaceCut::kIsFace});
+  };
+  for (const Halving::Whole& face : halving.faces) {
+    visit_uncut(halving.first_face(face.part));
+    visit(face);
+    next = end_of_faces(halving.cuts, face.part);
+  }
+  visit_uncut(faces.size());
+}
 
 /// Replaces the number of a vertex, unless it is kNoVertex.
 inline void renumber(const std::vector<std::uint32_t>& numbers, std::uint32_t& vertex) {
@@ -60,7 +78,7 @@ inline void renumber(const std::vector<std::uint32_t>& numbers, std::uint32_t& v
 /// Adds those of backs, (vertices) and (faces) of the fronts; kNoVertex and kNoFace where there is none.
 void add_backs(Halving& halving, const std::vector<std::uint32_t>& backs, const std::vector<std::uint32_t>& back_faces);
 
-/// Appends that of a part, before its vertices and faces are there. Faces of a mesh without any count as whole.
+/// Appends that of a part, before its vertices and faces are there.
 void append_halving(Mesh& mesh, const Mesh& part);
 
 }  // namespace sh::prt

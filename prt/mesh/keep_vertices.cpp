@@ -170,14 +170,15 @@ void keep_vertices(Mesh& mesh, const std::vector<std::uint8_t>& kept) {
   std::vector<Face> faces;
   Halving halving;
   for (MeshNode& node : mesh.nodes) node.faces.clear();
-  for (const Halving::Whole& face : mesh.halving.faces) {
+  visit_wholes(mesh.halving, mesh.faces, [&](const Halving::Whole& face) {
     const std::size_t first = faces.size();
-    halving.faces.push_back({face.corners, parts.append(face.corners, face.is_turned, faces, halving), face.is_turned});
+    const std::uint32_t part = parts.append(face.corners, face.is_turned, faces, halving);
+    if ((part & FaceCut::kIsFace) == 0) halving.faces.push_back({face.corners, part, face.is_turned});
     const std::uint32_t node = node_of[mesh.halving.first_face(face.part)];
     for (std::size_t f = first; f < faces.size() && node != kNoFace; ++f) {
       take_face(mesh.nodes[node], static_cast<std::uint32_t>(f));
     }
-  }
+  });
   halving.ends = std::move(mesh.halving.ends);
   std::vector<std::uint32_t> numbers(kept.size(), kNoVertex);
   std::uint32_t count = 0;

@@ -113,7 +113,10 @@ class Splitter {
   /// The original face of each face. The parts of a face stand together.
   std::vector<std::uint32_t> finish() {
     for (std::uint32_t f = 0; f < owners_.size(); ++f) part_of(owners_[f]) = f | FaceCut::kIsFace;
-    if (mesh_.halving.empty()) mesh_.halving = {};
+    Halving& halving = mesh_.halving;
+    std::erase_if(halving.faces, [](const Halving::Whole& face) { return (face.part & FaceCut::kIsFace) != 0; });
+    if (halving.empty()) halving = {};
+    halving.faces.shrink_to_fit();
     return std::move(origins_);
   }
 

@@ -33,11 +33,13 @@ class Sheets {
  public:
   Sheets() = default;
   /// Finds pairs by the bits of the corner positions; a face belongs to one pair at most.
-  explicit Sheets(const Mesh& mesh);
+  Sheets(const std::vector<Eigen::Vector3f>& positions, const std::vector<Face>& faces);
   [[nodiscard]] bool any() const { return !fronts_.empty(); }
   /// The faces that rays test: all except the later one of each pair.
   [[nodiscard]] std::vector<Face> without_backs(const std::vector<Face>& faces) const;
-  /// Replaces the index of a tested face by its index in the mesh, or by the index of its other side if `from_behind`.
+  /// How many tested faces come before a face.
+  [[nodiscard]] std::uint32_t count_before(std::uint32_t face) const;
+  /// Replaces the index of a tested face by its index among all, or by the index of its other side if `from_behind`.
   void face_ray(bool from_behind, Hit& hit) const;
 
  private:

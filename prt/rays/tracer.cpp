@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "prt/rays/copies.hpp"
 #include "prt/rays/sheets.hpp"
 #include "prt/rays/whole_faces.hpp"
 
@@ -23,8 +24,9 @@ static_assert(offsetof(RTCRay, tnear) == offsetof(ShadowRay, near) &&
               offsetof(RTCRay, tfar) == offsetof(ShadowRay, far) &&
               offsetof(RTCRay, mask) == offsetof(ShadowRay, mask));
 
-constexpr std::size_t kPrimaryBatch = 256;  // rays a stream call
-constexpr double kFarthestStart = 1e18;     // units of the frame; Embree aborts from 1.8e18
+constexpr std::size_t kPrimaryBatch = 256;    // rays a stream call
+constexpr double kFarthestStart = 1e18;       // units of the frame; Embree aborts from 1.8e18
+constexpr std::uint32_t kLeastCopied = 1024;  // faces of a node; a tree of fewer takes no memory to speak of
 
 struct InstructionSet {
   std::string_view name;
@@ -59,6 +61,12 @@ namespace {
 }  // namespace
 
 struct Tracer::Impl {
+  // What is attached to the scene, in the order of its numbers.
+  struct Attached {
+    std::uint32_t first;          // tested face
+    Eigen::Matrix3f to_original;  // the axes of its own faces
+  };
+
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::string instruction_set;
@@ -66,6 +74,8 @@ struct Tracer::Impl {
   std::atomic<std::uint64_t> rays{0};
   WholeFaces wholes;
   Sheets sheets;
+  std::vector<Attached> attached;
+  std::size_t shared_faces = 0;
 
   ~Impl() {
     rtcReleaseScene(scene);
@@ -76,40 +86,124 @@ struct Tracer::Impl {
     instruction_set = choose_instruction_set(wanted);
     device = rtcNewDevice(fmt::format("threads={},isa={}", threads, instruction_set).c_str());
     if (device == nullptr) fail("Embree cannot start");
-    scene = rtcNewScene(device);
-    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+    scene = new_scene();
   }
 
-  void add(const Mesh& mesh) {
-    sheets = Sheets(mesh);
+  [[nodiscard]] RTCScene new_scene() const {
+    RTCScene made = rtcNewScene(device);
+    rtcSetSceneBuildQuality(made, RTC_BUILD_QUALITY_HIGH);
+    return made;
+  }
+
+  [[nodiscard]] RTCGeometry triangles(Parts& parts, const FaceRun& run, const Eigen::Vector3f& center) const {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                             sizeof(Eigen::Vector3f), mesh.positions.size());
-    const std::vector<Face> known = sheets.without_backs(mesh.faces);
+                                             sizeof(Eigen::Vector3f), parts.choose(run));
     void* indices =
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Face), known.size());
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Face), run.count);
     if (vertices == nullptr || indices == nullptr) {
       rtcReleaseGeometry(geometry);
       fail("not enough memory for the mesh");
     }
-    std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Eigen::Vector3f*>(vertices));
-    std::copy(known.begin(), known.end(), static_cast<Face*>(indices));
+    parts.write(center, static_cast<Eigen::Vector3f*>(vertices), static_cast<Face*>(indices));
+    return geometry;
+  }
+
+  static void attach(RTCGeometry geometry, RTCScene to) {
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
+    rtcAttachGeometry(to, geometry);
     rtcReleaseGeometry(geometry);
+  }
+
+  void add_copies(const CopiedRun& copied, Parts& parts) {
+    RTCScene original = new_scene();
+    attach(triangles(parts, copied.run, copied.center), original);
+    rtcCommitScene(original);
+    shared_faces += (copied.places.size() - 1) * copied.run.count;
+    for (const CopiedRun::Place& place : copied.places) {
+      RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+      rtcSetGeometryInstancedScene(instance, original);
+      rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, place.from_original.data());
+      attach(instance, scene);
+      attached.push_back({place.first, place.from_original.linear().inverse()});
+    }
+    rtcReleaseScene(original);
+  }
+
+  // Nodes whose tested faces stand together.
+  [[nodiscard]] std::vector<RunOfNode> runs_of_nodes(const Mesh& mesh) const {
+    const Eigen::Affine3d to_frame = Eigen::Scaling(1.0 / mesh.frame.unit) * Eigen::Translation3d(-mesh.frame.origin);
+    const auto tested_before = [&](std::uint32_t face) { return sheets.count_before(wholes.count_before(face)); };
+    std::vector<RunOfNode> nodes;
+    for (const MeshNode& node : mesh.nodes) {
+      std::vector<FaceRun> runs;
+      for (const auto& [first, count] : node.faces) {
+        const std::uint32_t before = tested_before(first);
+        const std::uint32_t tested = tested_before(first + count) - before;
+        if (tested > 0) runs.push_back({before, tested});
+      }
+      if (runs.size() == 1) nodes.push_back({runs.front(), to_frame * node.to_world});
+    }
+    return nodes;
+  }
+
+  // Copies, if they have as many faces as `shared`.
+  [[nodiscard]] std::vector<CopiedRun> shared_copies(const Mesh& mesh, const std::vector<Face>& tested,
+                                                     std::size_t shared) const {
+    if (tested.size() < shared) return {};
+    std::vector<CopiedRun> copies = find_copies(mesh.positions, tested, runs_of_nodes(mesh), kLeastCopied);
+    std::size_t saved = 0;
+    for (const CopiedRun& copied : copies) saved += (copied.places.size() - 1) * copied.run.count;
+    return saved >= shared ? copies : std::vector<CopiedRun>();
+  }
+
+  void add(const Mesh& mesh, const std::vector<Face>& traced, std::size_t shared) {
+    sheets = Sheets(mesh.positions, traced);
+    const std::vector<Face> fronts = sheets.any() ? sheets.without_backs(traced) : std::vector<Face>();
+    const std::vector<Face>& tested = sheets.any() ? fronts : traced;
+    Parts parts(mesh.positions, tested);
+    std::vector<FaceRun> runs;  // of originals and copies
+    for (const CopiedRun& copied : shared_copies(mesh, tested, shared)) {
+      add_copies(copied, parts);
+      for (const CopiedRun::Place& place : copied.places) runs.push_back({place.first, copied.run.count});
+    }
+    std::sort(runs.begin(), runs.end(), [](const FaceRun& a, const FaceRun& b) { return a.first < b.first; });
+    runs.push_back({static_cast<std::uint32_t>(tested.size()), 0});
+    std::uint32_t end = 0;
+    for (const FaceRun& run : runs) {
+      if (run.first > end) {
+        attach(triangles(parts, {end, run.first - end}, Eigen::Vector3f::Zero()), scene);
+        attached.push_back({end, Eigen::Matrix3f::Identity()});
+      }
+      end = run.first + run.count;
+    }
     rtcCommitScene(scene);
     if (rtcGetDeviceError(device) != RTC_ERROR_NONE) fail("Embree cannot build its tree");
   }
+
+  // The hit of the mesh for one of Embree; `direction` is that of its ray.
+  [[nodiscard]] Hit hit_of_mesh(const RTCRayHit& ray, const Eigen::Vector3f& direction) const {
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    const std::uint32_t instance = ray.hit.instID[0];
+    const Attached& part = attached[instance == RTC_INVALID_GEOMETRY_ID ? ray.hit.geomID : instance];
+    Hit hit{part.first + ray.hit.primID, ray.hit.u, ray.hit.v, ray.ray.tfar};
+    if (sheets.any()) {
+      const Eigen::Vector3f normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
+      sheets.face_ray(normal.dot(part.to_original * direction) > 0.0F, hit);
+    }
+    return wholes.any() ? wholes.hit_of_mesh(hit) : hit;
+  }
 };
 
-Tracer::Tracer(const Mesh& mesh, int threads, const std::string& instruction_set) : impl_(std::make_unique<Impl>()) {
+Tracer::Tracer(const Mesh& mesh, int threads, const std::string& instruction_set, std::size_t shared)
+    : impl_(std::make_unique<Impl>()) {
   impl_->frame = mesh.frame;
   impl_->open(threads, instruction_set);
   if (mesh.halving.empty()) {
-    impl_->add(mesh);
+    impl_->add(mesh, mesh.faces, shared);
   } else {
-    impl_->wholes = WholeFaces(mesh.halving);
-    impl_->add(impl_->wholes.surface(mesh));
+    impl_->wholes = WholeFaces(mesh);
+    impl_->add(mesh, impl_->wholes.traced(mesh.faces), shared);
   }
 }
 
@@ -128,6 +222,8 @@ Eigen::Vector3f Tracer::start(const Eigen::Vector3d& point) const {
 
 const Frame& Tracer::frame() const { return impl_->frame; }
 
+std::size_t Tracer::shared_faces() const { return impl_->shared_faces; }
+
 std::uint64_t Tracer::rays() const { return impl_->rays; }
 
 void Tracer::intersect(std::span<const Eigen::Vector3f> origins, std::span<const Eigen::Vector3f> directions,
@@ -144,17 +240,10 @@ void Tracer::intersect(std::span<const Eigen::Vector3f> origins, std::span<const
       rays[i].ray = {o.x(),       o.y(), o.z(), 0.0F, d.x(), d.y(), d.z(), 0.0F, std::numeric_limits<float>::infinity(),
                      0xFFFFFFFFU, 0,     0};
       rays[i].hit.geomID = RTC_INVALID_GEOMETRY_ID;
+      rays[i].hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     }
     rtcIntersect1M(impl_->scene, &context, rays.data(), static_cast<unsigned>(count), sizeof(RTCRayHit));
-    for (std::size_t i = 0; i < count; ++i) {
-      const bool hit = rays[i].hit.geomID != RTC_INVALID_GEOMETRY_ID;
-      hits[first + i] = hit ? Hit{rays[i].hit.primID, rays[i].hit.u, rays[i].hit.v, rays[i].ray.tfar} : Hit{};
-      if (hit && impl_->sheets.any()) {
-        const Eigen::Vector3f normal(rays[i].hit.Ng_x, rays[i].hit.Ng_y, rays[i].hit.Ng_z);
-        impl_->sheets.face_ray(normal.dot(directions[first + i]) > 0.0F, hits[first + i]);
-      }
-      if (hit && impl_->wholes.any()) hits[first + i] = impl_->wholes.hit_of_mesh(hits[first + i]);
-    }
+    for (std::size_t i = 0; i < count; ++i) hits[first + i] = impl_->hit_of_mesh(rays[i], directions[first + i]);
   }
 }
 

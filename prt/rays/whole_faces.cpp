@@ -7,6 +7,10 @@
 
 namespace sh::prt {
 
+namespace {
+constexpr std::uint32_t kLeastGap = 64;  // faces that nobody halved between two runs
+}
+
 PlaceInFace located(const std::vector<FaceCut>& cuts, std::uint32_t part, std::array<double, 3> weights) {
   while ((part & FaceCut::kIsFace) == 0) {
     const FaceCut& cut = cuts[part];
@@ -71,9 +75,21 @@ std::vector<Halving::Whole> faces_for_rays(const Halving& halving) {
   return traced;
 }
 
-WholeFaces::WholeFaces(const Halving& halving) : faces_(faces_for_rays(halving)) {
+WholeFaces::WholeFaces(const Mesh& mesh) {
+  const Halving& halving = mesh.halving;
   cuts_.reserve(halving.cuts.size());
-  for (Halving::Whole& face : faces_) face.part = copy(halving.cuts, face.part);
+  for (Halving::Whole whole : faces_for_rays(halving)) {
+    const std::uint32_t first = halving.first_face(whole.part);
+    if (runs_.empty() || first - runs_.back().end >= kLeastGap) {
+      runs_.push_back({runs_.empty() ? first : runs_.back().behind(first), wholes_.size(), 0, first, first});
+    }
+    Run& run = runs_.back();
+    for (std::uint32_t f = run.end; f < first; ++f) wholes_.push_back({mesh.faces[f], f | FaceCut::kIsFace});
+    run.end = end_of_faces(halving.cuts, whole.part);
+    whole.part = copy(halving.cuts, whole.part);
+    wholes_.push_back(whole);
+    run.count = static_cast<std::uint32_t>(wholes_.size() - run.whole);
+  }
 }
 
 std::uint32_t WholeFaces::copy(const std::vector<FaceCut>& from, std::uint32_t part) {
@@ -87,33 +103,50 @@ std::uint32_t WholeFaces::copy(const std::vector<FaceCut>& from, std::uint32_t p
   return cut;
 }
 
-Mesh WholeFaces::surface(const Mesh& mesh) const {
-  Mesh surface;
-  std::vector<std::uint32_t> numbers(mesh.positions.size(), kNoVertex);
-  for (const Halving::Whole& whole : faces_) {
-    Face face = whole.corners;
-    if (whole.is_turned) std::swap(face[1], face[2]);
-    for (std::uint32_t& corner : face) {
-      if (numbers[corner] == kNoVertex) {
-        numbers[corner] = static_cast<std::uint32_t>(surface.positions.size());
-        surface.positions.push_back(mesh.positions[corner]);
-      }
-      corner = numbers[corner];
+std::vector<Face> WholeFaces::traced(const std::vector<Face>& faces) const {
+  std::vector<Face> traced;
+  std::uint32_t next = 0;
+  const auto take_uncut = [&](std::size_t end) {
+    traced.insert(traced.end(), faces.begin() + next, faces.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  for (const Run& run : runs_) {
+    take_uncut(run.face);
+    for (std::size_t w = run.whole; w < run.whole + run.count; ++w) {
+      const auto& [a, b, c] = wholes_[w].corners;
+      traced.push_back(wholes_[w].is_turned ? Face{a, c, b} : Face{a, b, c});
     }
-    surface.faces.push_back(face);
+    next = run.end;
   }
-  return surface;
+  take_uncut(faces.size());
+  return traced;
+}
+
+std::uint32_t WholeFaces::count_before(std::uint32_t face) const {
+  const auto later = std::partition_point(runs_.begin(), runs_.end(), [&](const Run& run) { return run.face <= face; });
+  if (later == runs_.begin()) return face;
+  const Run& run = *std::prev(later);
+  if (face >= run.end) return run.behind(face);
+  const auto first = wholes_.begin() + static_cast<std::ptrdiff_t>(run.whole);
+  const auto place = std::partition_point(
+      first, first + run.count, [&](const Halving::Whole& whole) { return first_face(cuts_, whole.part) < face; });
+  return run.traced + static_cast<std::uint32_t>(place - first);
 }
 
 Hit WholeFaces::hit_of_mesh(const Hit& hit) const {
-  const Halving::Whole& whole = faces_[hit.face];
+  const auto later =
+      std::partition_point(runs_.begin(), runs_.end(), [&](const Run& run) { return run.traced <= hit.face; });
+  if (later == runs_.begin()) return hit;
+  const Run& run = *std::prev(later);
+  const std::uint32_t place = hit.face - run.traced;
+  if (place >= run.count) return {run.end + (place - run.count), hit.u, hit.v, hit.distance};
+  const Halving::Whole& whole = wholes_[run.whole + place];
   const auto u = static_cast<double>(hit.u);
   const auto v = static_cast<double>(hit.v);
   std::array<double, 3> weights = {1.0 - u - v, u, v};
   if (whole.is_turned) std::swap(weights[1], weights[2]);
-  PlaceInFace place = located(cuts_, whole.part, weights);
-  if (whole.is_turned) std::swap(place.weights[1], place.weights[2]);
-  return {place.face, static_cast<float>(place.weights[1]), static_cast<float>(place.weights[2]), hit.distance};
+  PlaceInFace found = located(cuts_, whole.part, weights);
+  if (whole.is_turned) std::swap(found.weights[1], found.weights[2]);
+  return {found.face, static_cast<float>(found.weights[1]), static_cast<float>(found.weights[2]), hit.distance};
 }
 
 }  // namespace sh::prt

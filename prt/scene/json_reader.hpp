@@ -59,6 +59,7 @@ class JsonReader {
   [[nodiscard]] Eigen::Vector3d point() const;  // three numbers in double precision
   [[nodiscard]] double real() const;
 
+  [[nodiscard]] const nlohmann::json& json() const { return *value_; }
   /// `file: path`, with which messages begin.
   [[nodiscard]] std::string place() const;
   [[noreturn]] void expected(std::string_view what) const;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
@@ -310,11 +311,29 @@ Mesh finish_mesh(MeshPart part, const Frame& frame, OnFlaw on_flaw) {
   return mesh;
 }
 
-MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
+Shapes::Shapes(const JsonReader& meshes) {
+  for (const JsonReader& entry : meshes.items()) ++shapes_[key(entry)].entries;
+}
+
+std::string Shapes::key(const JsonReader& reader) {
+  nlohmann::json entry = reader.json();
+  for (const char* placed : {"transform", "up", "max_edge", "crease", "flip", "texels"}) {
+    if (entry.is_object()) entry.erase(placed);
+  }
+  return entry.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+ImportedMesh Shapes::take(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw) {
+  Shape& shape = shapes_[key(reader)];
+  if (!shape.read) shape.read = read_shape(reader, folder, read_materials(reader, folder, on_flaw));
+  if (--shape.entries > 0) return *shape.read;
+  return std::move(*shape.read);
+}
+
+MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw, Shapes& shapes) {
   reader.allow({"file",     "primitive", "segments", "transform", "up",         "albedo",     "mirror", "specular",
                 "exponent", "roughness", "metallic", "brdf",      "normal_map", "emission",   "sides",  "materials",
                 "max_edge", "crease",    "flip",     "texels",    "subsurface", "translucent"});
-  const MaterialChanges changes = read_materials(reader, folder, on_flaw);
   MeshPart part;
   part.crease_degrees = kDefaultCrease;
   for (const JsonReader& material : material_readers(reader)) {
@@ -331,7 +350,7 @@ MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw o
   reader.take("up", up, [](const JsonReader& value) {
     return value.one_of({"y", "z"}) == "y" ? UpAxis::kY : UpAxis::kZ;
   });
-  ImportedMesh shape = read_shape(reader, folder, changes);
+  ImportedMesh shape = shapes.take(reader, folder, on_flaw);
   check_material_names(reader, shape.materials);
   reader.take("flip", is_flipped, &JsonReader::boolean);
   reader.take("texels", part.texels, &JsonReader::integer, 1, kMostTexelsAlong);

@@ -208,8 +208,9 @@ Scene load_scene(const std::string& scene, OnFlaw on_flaw) {
   reader.take("plan", result.plan, read_plan_options);
   std::vector<MeshPart> parts;
   Eigen::AlignedBox3d box;
+  Shapes shapes(meshes);
   for (const JsonReader& mesh : meshes.items()) {
-    parts.push_back(read_mesh(mesh, folder, on_flaw));
+    parts.push_back(read_mesh(mesh, folder, on_flaw, shapes));
     for (Finish& finish : parts.back().soup.finishes) {
       if (finish.translucence) finish.translucence->body = static_cast<std::uint32_t>(parts.size());
     }

@@ -1,9 +1,12 @@
 // The parts of a scene file, one function for each part (prt/FILES.md lists the keys), and the scenes made in code.
 #pragma once
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "prt/light/window.hpp"
+#include "prt/mesh/import_mesh.hpp"
 #include "prt/mesh/mend.hpp"
 #include "prt/mesh/mesh.hpp"
 #include "prt/mesh/soup.hpp"
@@ -53,8 +56,25 @@ struct MeshPart {
 /// An entry of `meshes` and those of its `materials`: where a material may stand.
 std::vector<JsonReader> material_readers(const JsonReader& mesh);
 
+/// The shapes with their materials that entries of `meshes` name. One that several entries place is read once.
+class Shapes {
+ public:
+  explicit Shapes(const JsonReader& meshes);
+  /// That of an entry, each of which takes its shape once.
+  ImportedMesh take(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw);
+
+ private:
+  struct Shape {
+    std::size_t entries = 0;  // that will take it
+    std::optional<ImportedMesh> read;
+  };
+  // The entry without what only places and splits its shape.
+  static std::string key(const JsonReader& reader);
+  std::map<std::string, Shape> shapes_;
+};
+
 /// Reads one entry of `meshes` and checks it. Relative paths start in `folder`.
-MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw);
+MeshPart read_mesh(const JsonReader& reader, const std::string& folder, OnFlaw on_flaw, Shapes& shapes);
 /// Reads the key `medium`. Its density is read or made.
 Medium read_medium(const JsonReader& reader, const std::string& folder);
 Ground read_ground(const JsonReader& reader, const Mesh& mesh);

@@ -6,10 +6,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <stdexcept>
 
 #include "numeric/output/atomic_file.hpp"
@@ -20,19 +22,33 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kBlocks = 8;  // houses along a side
+constexpr int kBlocks = 8;  // along a side
+constexpr double kSide = 0.7;
 
-// With edges that are no longer than `longest`.
+json house(int i, double longest) {
+  const double height = 0.5 + 2.0 * std::fmod(0.618034 * i, 1.0);
+  const double gray = 0.3 + 0.5 * std::fmod(0.414214 * i, 1.0);
+  return {{"primitive", "box"},
+          {"albedo", {gray, 0.8 * gray, 0.6 * gray}},
+          {"max_edge", longest},
+          {"transform", {{"scale", {kSide, kSide, height}}, {"translate", {i % kBlocks, i / kBlocks, 0.5 * height}}}}};
+}
+
+// A ring that stands upright, the same mesh everywhere.
+json sculpture(int i, double longest) {
+  return {{"primitive", "torus"},
+          {"segments", std::max(3, static_cast<int>(kSide * std::numbers::pi / longest))},
+          {"transform",
+           {{"scale", kSide},
+            {"rotate", {{"axis", {1.0, 0.2 * (i % 5), 0.0}}, {"degrees", 90}}},
+            {"translate", {i % kBlocks, i / kBlocks, 0.5}}}}};
+}
+
+// Houses and sculptures in turn, with edges of about `longest`.
 json city(double longest) {
   json meshes = json::array();
   for (int i = 0; i < kBlocks * kBlocks; ++i) {
-    const double height = 0.5 + 2.0 * std::fmod(0.618034 * i, 1.0);
-    const double gray = 0.3 + 0.5 * std::fmod(0.414214 * i, 1.0);
-    meshes.push_back(
-        {{"primitive", "box"},
-         {"albedo", {gray, 0.8 * gray, 0.6 * gray}},
-         {"max_edge", longest},
-         {"transform", {{"scale", {0.7, 0.7, height}}, {"translate", {i % kBlocks, i / kBlocks, 0.5 * height}}}}});
+    meshes.push_back((i + i / kBlocks) % 2 == 0 ? house(i, longest) : sculpture(i, longest));
   }
   return {{"name", "city"},
           {"meshes", meshes},

@@ -1,6 +1,7 @@
-// How bakes grow with the number of receivers: growth_bench [FILE.svg [MOST]]. A generated city of boxes on a ground, of 10^4
-// receivers and more, three sizes a decade, up to MOST (10^6). Each bake is a process of its own, `prt bake` of the same
-// build, so that its memory is its own. Prints processor time, memory and bytes, and draws them. Takes minutes.
+// How bakes grow with the number of receivers: growth_bench [FILE.svg [MOST]]. A generated city of houses and copies of a
+// sculpture on a ground, of 10^4 receivers and more, three sizes a decade, up to MOST (10^6). Each bake is a process of its own,
+// `prt bake` of the same build, so that its memory is its own. A kind ends where the next size would take more than the
+// memory of the machine, or ten minutes of the processor. Prints processor time, memory and bytes, and draws them. Takes minutes.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,6 +15,7 @@
 
 #include "numeric/output/atomic_file.hpp"
 #include "numeric/output/chart.hpp"
+#include "prt/bake/estimate.hpp"
 #include "tests/bench/city.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -23,12 +25,18 @@ using sh::bench::Cost;
 using sh::bench::run;
 using sh::bench::write_city;
 
-constexpr double kFewest = 1e4;  // receivers
+constexpr double kFewest = 1e4;       // receivers
+constexpr double kMostSeconds = 600;  // of the processor
 const std::vector<std::pair<std::string, std::vector<std::string>>> kBakes = {
     {"DS", {"--kind", "shadowed"}},
     {"DI", {"--kind", "interreflected"}},
     {"DI, 64 directions for bounces", {"--kind", "interreflected", "--bounce-directions", "64"}},
     {"GS", {"--kind", "glossy_shadowed"}}};
+
+// Whether what was measured last would be more than `most` if it grew in proportion.
+bool is_too_much(const std::vector<sh::output::ChartPoint>& measured, double receivers, double most) {
+  return !measured.empty() && measured.back().y / measured.back().x * receivers > most;
+}
 
 void measure(const std::string& picture, double most) {
   const sh::test::TemporaryFolder folder;
@@ -56,6 +64,8 @@ void measure(const std::string& picture, double most) {
     const std::size_t receivers = write_city(scene, wanted);
     const auto count = static_cast<double>(receivers);
     for (std::size_t k = 0; k < kBakes.size(); ++k) {
+      if (is_too_much(chart.series[2 * k].points, count, sh::prt::memory_of_machine() / 1048576.0)) continue;
+      if (is_too_much(chart.series[2 * k + 1].points, count, kMostSeconds)) continue;
       const std::string tool = std::string(SHFORGE_BIN_DIR) + "/prt";
       std::vector<std::string> words = {tool, "bake", scene, "--plan", "none", "--no-checkpoint", "-o", out};
       words.insert(words.end(), kBakes[k].second.begin(), kBakes[k].second.end());

@@ -13,7 +13,7 @@
 #include "prt/rays/whole_faces.hpp"
 #include "prt/scene/scene.hpp"
 #include "tests/prt/meshes.hpp"
-#include "tests/prt/temporary_folder.hpp"
+#include "tests/prt/scene_of_json.hpp"
 
 namespace sh::prt::test {
 namespace {
@@ -130,24 +130,17 @@ TEST(Halving, OfAPartGoesOnInTheWhole) {
   EXPECT_TRUE(none.halving.empty());
 }
 
-Scene scene_of_json(const std::string& meshes) {
-  const TemporaryFolder folder;
-  const std::string file = folder.file("scene.json");
-  write_all(file, R"({"meshes": [)" + meshes + "]}");
-  return load_scene(file, OnFlaw::kRefuse);
-}
-
 // Rays take both sides of a thin surface for one face, so that both must be cut alike.
 TEST(Halving, CutsTheBackOfATwoSidedFaceAsItsFront) {
   const Mesh mesh = scene_of_json(R"({"primitive": "plane", "max_edge": 0.09, "sides": 2},
                                      {"primitive": "box", "max_edge": 0.2, "transform": {"translate": [3, 0, 0]}})")
                         .mesh;
   ASSERT_FALSE(mesh.halving.empty());
-  const Sheets all(mesh);
+  const Sheets all(mesh.positions, mesh.faces);
   ASSERT_TRUE(all.any());
   for (unsigned seed = 0; seed < 8; ++seed) {
     const Mesh some = less(mesh, some_of(mesh, seed, 0.05));
-    const Sheets sheets(some);
+    const Sheets sheets(some.positions, some.faces);
     std::size_t on_plane = 0;
     for (const Face& face : some.faces) on_plane += some.positions[face[0]].x() < 2.0F ? 1 : 0;
     EXPECT_LT(on_plane, mesh.faces.size());
@@ -244,11 +237,9 @@ TEST(Halving, FindsTheFaceOfEveryPlace) {
       const Halving& halving = mesh.halving;
       for (const FaceCut& cut : halving.cuts) forms.insert(cut.form);
       std::uint32_t next = 0;
-      for (const Halving::Whole& one : halving.faces) {
-        const std::uint32_t end = &one == &halving.faces.back() ? static_cast<std::uint32_t>(mesh.faces.size())
-                                                                : halving.first_face((&one)[1].part);
+      visit_wholes(halving, mesh.faces, [&](const Halving::Whole& one) {
         ASSERT_EQ(halving.first_face(one.part), next) << name;
-        for (; next < end; ++next) {
+        for (; next < end_of_faces(halving.cuts, one.part); ++next) {
           for (const std::array<double, 3>& inside :
                {std::array{0.3, 0.3, 0.4}, {0.9, 0.05, 0.05}, {0.02, 0.9, 0.08}}) {
             const Eigen::Vector3d place = place_in(mesh, mesh.faces[next], inside);
@@ -257,7 +248,7 @@ TEST(Halving, FindsTheFaceOfEveryPlace) {
             for (std::size_t k = 0; k < 3; ++k) ASSERT_NEAR(found.weights[k], inside[k], 1e-3) << name;
           }
         }
-      }
+      });
       EXPECT_EQ(next, mesh.faces.size());
     }
   }
@@ -268,9 +259,13 @@ TEST(Halving, FindsTheFaceOfEveryPlace) {
 TEST(Halving, LeavesRaysTheHitsOfTheMesh) {
   const std::string thin = R"({"primitive": "plane", "max_edge": 0.05, "sides": 2},
                               {"primitive": "box", "max_edge": 0.1, "transform": {"translate": [0.4, 0.2, -0.8]}})";
+  const std::string some = R"({"primitive": "torus", "segments": 20},
+      {"primitive": "box", "max_edge": 0.2}, {"primitive": "box", "transform": {"translate": [1.2, 0, 0]}},
+      {"primitive": "plane", "max_edge": 0.3, "sides": 2, "transform": {"scale": 3, "translate": [0, 0, -0.6]}},
+      {"primitive": "sphere", "segments": 30, "transform": {"scale": 0.5, "translate": [0, 0, 0.9]}})";
   std::vector<Mesh> meshes = {halved("arch", 0.05F), halved("cone", 0.1F), halved("plane", 0.003F),
-                              scene_of_json(thin).mesh};
-  for (std::size_t i = 0; i < 4; ++i) meshes.push_back(less(meshes[i], some_of(meshes[i], 3, 0.2)));
+                              scene_of_json(thin).mesh, scene_of_json(some).mesh};
+  for (std::size_t i = 0; i < 5; ++i) meshes.push_back(less(meshes[i], some_of(meshes[i], 3, 0.2)));
   std::mt19937 engine(5);
   std::uniform_real_distribution<float> number(-1.0F, 1.0F);
   for (const Mesh& mesh : meshes) {
@@ -325,7 +320,34 @@ TEST(Halving, GivesRaysNoFaceThatIsMuchLargerThanItsParts) {
     area += 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
   }
   EXPECT_NEAR(area, 1.0, 1e-6);
-  EXPECT_EQ(faces_for_rays(halved("arch", 0.05F).halving).size(), primitive_mesh("arch", 12).faces.size());
+  const Mesh arch = halved("arch", 0.05F);
+  EXPECT_EQ(WholeFaces(arch).traced(arch.faces).size(), primitive_mesh("arch", 12).faces.size());
+}
+
+// Traced faces are those before halving, in their order; the faces of meshes that nobody halved stay.
+TEST(Halving, CountsTheFacesThatRaysSee) {
+  const std::string boxes = R"({"primitive": "torus", "segments": 20}, {"primitive": "box", "max_edge": 0.2},
+      {"primitive": "cone", "segments": 9}, {"primitive": "box", "max_edge": 0.1, "sides": 2},
+      {"primitive": "sphere", "segments": 30})";
+  const Mesh mesh = scene_of_json(boxes).mesh;
+  const WholeFaces wholes(mesh);
+  const std::vector<Face> traced = wholes.traced(mesh.faces);
+  std::vector<std::uint32_t> first;  // (traced faces) of the mesh
+  visit_wholes(mesh.halving, mesh.faces,
+               [&](const Halving::Whole& one) { first.push_back(mesh.halving.first_face(one.part)); });
+  ASSERT_EQ(traced.size(), first.size());
+  EXPECT_EQ(mesh.halving.faces.size(), 12U + 24U) << "faces of boxes";
+  EXPECT_EQ(wholes.count_before(static_cast<std::uint32_t>(mesh.faces.size())), traced.size());
+  for (std::uint32_t t = 0; t < traced.size(); ++t) {
+    EXPECT_EQ(wholes.count_before(first[t]), t);
+    const Hit hit = wholes.hit_of_mesh({t, 0.25F, 0.25F, 2.0F});
+    EXPECT_GE(hit.face, first[t]);
+    EXPECT_LT(hit.face, t + 1 < traced.size() ? first[t + 1] : mesh.faces.size());
+    const Eigen::Vector3f place = interpolated(hit, mesh, mesh.positions);
+    Mesh before = mesh;
+    before.faces = traced;
+    EXPECT_LT((place - interpolated({t, 0.25F, 0.25F, 2.0F}, before, mesh.positions)).norm(), 1e-6F);
+  }
 }
 
 TEST(Halving, RefusesMarksThatLeaveOutWhatIsNeeded) {

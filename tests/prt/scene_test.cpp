@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "prt/mesh/weld.hpp"
+#include "prt/scene/scene_parts.hpp"
 #include "tests/prt/meshes.hpp"
 #include "tests/prt/temporary_folder.hpp"
 
@@ -278,6 +280,37 @@ TEST_F(SceneFile, StandsFilesUprightAndRoundsEdgesBelowTheCrease) {
   EXPECT_EQ(mesh(R"(, "crease": 91)").positions.size(), 4U);
   EXPECT_EQ(refusal(R"({"meshes": [{"file": "a.obj", "crease": 181}]})"),
             "scene.json: /meshes/0/crease: expected degrees from 0 to 180, got 181");
+}
+
+TEST_F(SceneFile, ReadsAShapeOnceHoweverOftenItStands) {
+  write_all(folder_.file("a.obj"), "v 0 0 0\nv 0 2 0\nv 3 0 0\nf 1 3 2\n");
+  const std::string one = R"({"file": "a.obj")";
+  const std::vector<std::string> entries = {one + R"(, "flip": true, "transform": {"scale": [1, -2, 1]}})",
+                                            one + R"(, "albedo": [0.25, 0.5, 0.75]})",
+                                            one + R"(, "max_edge": 1, "crease": 10, "up": "z"})", one + "}"};
+  Mesh apart;
+  std::string all;
+  for (const std::string& entry : entries) {
+    append(apart, load(R"({"meshes": [)" + entry + "]}").mesh);
+    all += (all.empty() ? "" : ", ") + entry;
+  }
+  const Mesh mesh = load(R"({"meshes": [)" + all + "]}").mesh;
+  EXPECT_EQ(mesh.positions, apart.positions);
+  EXPECT_EQ(mesh.albedo, apart.albedo);
+  EXPECT_EQ(mesh.normals, apart.normals);
+  EXPECT_EQ(mesh.faces, apart.faces);
+  const nlohmann::json document = read_json(file_);
+  const JsonReader meshes = JsonReader(file_, document).at("meshes");
+  Shapes shapes(meshes);
+  const std::vector<JsonReader> readers = meshes.items();
+  const auto taken = [&](std::size_t entry) {
+    return shapes.take(readers[entry], folder_.file(""), OnFlaw::kRefuse).soup;
+  };
+  const Soup first = taken(0);
+  std::filesystem::remove(folder_.file("a.obj"));
+  EXPECT_EQ(taken(2).positions, first.positions);
+  EXPECT_EQ(taken(3).positions, first.positions);
+  EXPECT_THROW(taken(1), std::runtime_error) << "another material";
 }
 
 TEST_F(SceneFile, IsRefusedWithNormalsOfNoLength) {

@@ -109,9 +109,9 @@ void color(BakeRun& run) {
   const std::size_t count = transfer.shape.count();
   transfer.shape = transfer.kind->shape(transfer.degree());
   transfer.coefficients.clear();
-  for (std::size_t v = 0; v < transfer.mesh.positions.size(); ++v) {
+  for (std::size_t v = 0; v < run.scene.mesh.positions.size(); ++v) {
     for (std::size_t i = 0; i < transfer.shape.length(); ++i) {
-      const float albedo = transfer.mesh.albedo[v][i / count];
+      const float albedo = run.scene.mesh.albedo[v][i / count];
       transfer.coefficients.push_back(albedo * gray[v * count + i % count]);
     }
   }
