@@ -72,7 +72,7 @@ class Bounces {
       if (is_open(v)) {
         kept_[v] = 1;
       } else if (bytes < bounce_memory_) {
-        hits_[v] = rays_to_fronts(tracers_.local(), mesh_, v);
+        hits_[v] = rays_to_fronts(tracers_.local(), v);
         kept_[v] = 1;
         bytes += hits_[v].size() * sizeof(BlockedAt);
       }
@@ -90,7 +90,7 @@ class Bounces {
     for_vertices(vertices_, [&](std::size_t v) {
       output::check_interrupt();
       const std::vector<BlockedAt> again =
-          kept_[v] != 0 ? std::vector<BlockedAt>() : rays_to_fronts(tracers_.local(), mesh_, v);
+          kept_[v] != 0 ? std::vector<BlockedAt>() : rays_to_fronts(tracers_.local(), v);
       leaving.collect(kept_[v] != 0 ? hits_[v] : again, rays_.along_bounces().size(), next_.of(v));
       progress.advance();
     });

@@ -13,7 +13,6 @@
 #include "prt/large_pages.hpp"
 #include "prt/material/lobe.hpp"
 #include "prt/material/reflected.hpp"
-#include "prt/mesh/corners.hpp"
 #include "prt/rays/row_sums.hpp"
 #include "prt/transfer/visibility.hpp"
 #include "prt/zonal.hpp"
@@ -100,12 +99,12 @@ std::vector<float> MatrixTable::copies(const TransferShape& shape) const {
   return all;
 }
 
-std::vector<BlockedAt> rays_to_fronts(Gatherer& gatherer, const Mesh& mesh, std::size_t vertex) {
+std::vector<BlockedAt> rays_to_fronts(Gatherer& gatherer, std::size_t vertex) {
   gatherer.gather(vertex);
   std::vector<BlockedAt> rays;
   for (const BlockedRay& ray : gatherer.closest_hits()) {
     if (ray.hit.face == Hit::kNothing) continue;
-    if (face_normal(mesh.positions, mesh.faces[ray.hit.face]).dot(ray.direction) >= 0.0F) continue;
+    if (ray.hit.from_behind) continue;
     rays.push_back({ray.direction, ray.hit});
   }
   return rays;

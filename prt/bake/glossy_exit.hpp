@@ -56,7 +56,7 @@ struct BlockedAt {
 };
 
 /// The rays of a vertex that meet fronts.
-std::vector<BlockedAt> rays_to_fronts(Gatherer& gatherer, const Mesh& mesh, std::size_t vertex);
+std::vector<BlockedAt> rays_to_fronts(Gatherer& gatherer, std::size_t vertex);
 
 class GlossyExit {
  public:

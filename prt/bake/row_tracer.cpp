@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "prt/basis.hpp"
-#include "prt/mesh/corners.hpp"
 
 namespace sh::prt {
 namespace {
@@ -69,7 +68,7 @@ FormFactorRow RowTracer::row(std::size_t vertex) {
   FormFactorRow row;
   for (const BlockedRay& ray : met_) {
     if (ray.hit.face == Hit::kNothing) continue;  // it just misses the face that the shadow ray hit; the light is lost
-    if (face_normal(mesh.positions, mesh.faces[ray.hit.face]).dot(ray.direction) >= 0.0F) continue;
+    if (ray.hit.from_behind) continue;
     const ReceiversAt place = setup_.receivers.at(ray.hit);
     const std::array<double, 4> shares = shares_of(ray.hit, place);
     for (std::size_t k = 0; k < place.count; ++k) {

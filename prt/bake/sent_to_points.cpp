@@ -11,7 +11,6 @@
 #include "prt/arrays.hpp"
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
-#include "prt/mesh/corners.hpp"
 
 namespace sh::prt {
 
@@ -40,9 +39,7 @@ bool light_along(const Leg& leg, const RaySetup& setup, const Transfer& surfaces
     }
     return true;
   }
-  const Mesh& mesh = setup.mesh;
-  if (face_normal(mesh.positions, mesh.faces[leg.hit.face]).dot(leg.direction) >= 0.0F)
-    return false;  // backs are black
+  if (leg.hit.from_behind) return false;  // backs are black
   const ReceiversAt place = setup.receivers.at(leg.hit);
   for (std::size_t k = 0; k < place.count; ++k) {
     as_array(light) += static_cast<double>(place.part[k]) *

@@ -28,8 +28,8 @@ using Face = std::array<std::uint32_t, 3>;
 /// `specular` with `exponent`, `brdf`, `normal_map`, `albedo_map` with `tint`, `texture`, `translucence`, and `chart` with
 /// `atlas`, are empty if the whole mesh has none. Vertices without faces are texels of an atlas.
 /// `remap` has one entry for each vertex of the mesh files, in the order of the scene; several vertices of a file map
-/// to one vertex here if position, normal, albedo and finish agree. It is empty for a mesh made in code. Code that moves, sorts
-/// or adds vertices or faces empties `halving`, by which rays are traced.
+/// to one vertex here if position, normal, albedo and finish agree. It is empty for a mesh made in code. Code that moves, sorts,
+/// turns or adds vertices or faces empties `halving`, by which rays are traced.
 struct Mesh {
   std::vector<Eigen::Vector3f> positions;          // in `frame`
   std::vector<Eigen::Vector3f> normals;            // unit; shading: weighs the cosine

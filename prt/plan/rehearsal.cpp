@@ -159,7 +159,7 @@ void Rehearsal::gather_from_lobes(const BakeOptions& options, const RaySetup& se
     const std::uint32_t v = part.vertices()[i];
     if (!open.empty() && open[v] != 0) return;
     std::vector<float> matrix(light.size);
-    leaving.collect(rays_to_fronts(tracers.local(), mesh_, v), setup.along_bounces().size(), matrix.data());
+    leaving.collect(rays_to_fronts(tracers.local(), v), setup.along_bounces().size(), matrix.data());
     light.copy(matrix.data(), *shape.matrices, rows + i * shape.length() + shape.numbers.length());
   });
 }
@@ -189,7 +189,7 @@ double Rehearsal::spread_between_lobes(const std::vector<LightCoefficients>& lig
         [&] { return Gatherer(setup.mesh, setup.starts, setup.tracer, setup.along_bounces()); });
     MatrixTable reflected(mesh_, asked_.degree);
     for_vertices(vertices, [&](std::size_t v) {
-      leaving.collect(rays_to_fronts(tracers.local(), mesh_, v), setup.along_bounces().size(), reflected.of(v));
+      leaving.collect(rays_to_fronts(tracers.local(), v), setup.along_bounces().size(), reflected.of(v));
     });
     Fill(closed_vertices(mesh_, half->sight)).apply(reflected.values.data(), reflected.size, reflected.size);
     local.add(reflected, -0.5F);

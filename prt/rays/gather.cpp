@@ -16,7 +16,6 @@
 #include "prt/basis.hpp"
 #include "prt/chunks.hpp"
 #include "prt/light/light_coefficients.hpp"
-#include "prt/mesh/corners.hpp"
 #include "prt/rays/directions.hpp"
 #include "prt/rays/row_sums.hpp"
 #include "prt/rays/widest.hpp"
@@ -226,7 +225,7 @@ const Gathered& Gatherer::gathered_in_space() {
 }
 
 const Gathered& Gatherer::gather(std::size_t vertex) {
-  closest_is_known_ = false;
+  closest_known_ = Known::kNothing;
   const std::size_t traced = aim(vertex);
   for (std::size_t first = 0; first < traced; first += kStreamRays) {
     tracer_.occluded({rays_.data() + first, std::min(kStreamRays, traced - first)});
@@ -254,8 +253,13 @@ const Gathered& Gatherer::gather(std::size_t vertex) {
 }
 
 const std::vector<BlockedRay>& Gatherer::closest_hits() {
-  if (closest_is_known_) return closest_;
-  closest_is_known_ = true;
+  find_closest(Known::kFaces);
+  return closest_;
+}
+
+void Gatherer::find_closest(Known what) {
+  if (closest_known_ >= what) return;
+  closest_known_ = what;
   closest_.clear();
   double whole = 0.0;
   for (std::size_t i = 0; i < visible_count_; ++i) whole += static_cast<double>(weights_[visible_[i]]);
@@ -264,11 +268,11 @@ const std::vector<BlockedRay>& Gatherer::closest_hits() {
   for (std::size_t i = below_; i < blocked_count_; ++i) along_.push_back(towards(blocked_[i]));
   hits_.resize(along_.size());
   const Eigen::Vector3f origin = rays_.front().origin;  // one for all
-  tracer_.intersect(std::vector<Eigen::Vector3f>(along_.size(), origin), along_, hits_);
+  const std::vector<Eigen::Vector3f> origins(along_.size(), origin);
+  what == Known::kFaces ? tracer_.intersect(origins, along_, hits_) : tracer_.meet(origins, along_, hits_);
   for (std::size_t i = 0; i < hits_.size(); ++i) {
     closest_.push_back({along_[i], hits_[i], static_cast<double>(weights_[blocked_[below_ + i]]) / whole});
   }
-  return closest_;
 }
 
 Sight Gatherer::sight(std::size_t vertex, float visible) {
@@ -277,10 +281,11 @@ Sight Gatherer::sight(std::size_t vertex, float visible) {
   double backs = 0.0;
   double near = 0.0;
   auto above = static_cast<double>(result_.fraction());  // the horizon
-  for (const BlockedRay& ray : closest_hits()) {
+  find_closest(Known::kDistances);
+  for (const BlockedRay& ray : closest_) {
     above += ray.part;
     if (ray.hit.face == Hit::kNothing) continue;
-    if (face_normal(mesh_.positions, mesh_.faces[ray.hit.face]).dot(ray.direction) > 0.0F) backs += ray.part;
+    if (ray.hit.from_behind) backs += ray.part;
     if (ray.hit.distance < kNearReach * starts_[vertex].reach) near += ray.part;
   }
   if (!(above > 0.0)) return sight;

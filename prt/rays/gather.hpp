@@ -112,6 +112,8 @@ class Gatherer {
   std::vector<ShadowRay> rays(std::size_t vertex);
 
  private:
+  // What is known of closest hits: distances and sides, or faces, too.
+  enum class Known { kNothing, kDistances, kFaces };
   // The weights and heights of all directions.
   void weigh_hemisphere(std::size_t vertex);
   void begin_in_space();
@@ -120,6 +122,8 @@ class Gatherer {
   // Selects directions: fills `chosen_`, which are to be traced, and `blocked_`, which lie under the horizon. Returns
   // how many to trace.
   std::size_t aim(std::size_t receiver);
+  // The closest hits, with faces or without.
+  void find_closest(Known what);
   // Direction j in world axes.
   [[nodiscard]] Eigen::Vector3f towards(std::uint32_t j) const {
     return directions_.about_normal() ? (frame_ * directions_.direction(j)).eval() : directions_.direction(j);
@@ -139,11 +143,11 @@ class Gatherer {
   std::vector<Eigen::Vector3f> along_;  // of intersect()
   std::vector<Hit> hits_;
   std::vector<BlockedRay> closest_;
-  bool closest_is_known_ = false;  // for the last gather()
-  Eigen::Matrix3f frame_;          // of the vertex, where directions are about the normal
-  std::vector<float> weights_;     // of every direction, as in Gathered; none is negative where it counts
-  std::vector<float> heights_;     // cosine with the geometric normal
-  bool in_space_ = false;          // the last receiver was a point of space; then the next member is known
+  Known closest_known_ = Known::kNothing;  // for the last gather()
+  Eigen::Matrix3f frame_;                  // of the vertex, where directions are about the normal
+  std::vector<float> weights_;             // of every direction, as in Gathered; none is negative where it counts
+  std::vector<float> heights_;             // cosine with the geometric normal
+  bool in_space_ = false;                  // the last receiver was a point of space; then the next member is known
   alignas(64) std::array<float, kMaxRow> sphere_;  // sums over all directions
   Gathered result_;
 };

@@ -110,14 +110,15 @@ std::uint32_t Sheets::count_before(std::uint32_t face) const {
   return static_cast<std::uint32_t>(place - fronts_.begin());
 }
 
-void Sheets::face_ray(bool from_behind, Hit& hit) const {
+void Sheets::face_ray(Hit& hit) const {
   const Front& front = fronts_[hit.face];
-  if (!from_behind || front.back == kNoFace) {
+  if (!hit.from_behind || front.back == kNoFace) {
     hit.face = front.face;
     return;
   }
   const std::array<float, 3> weights = hit.parts();
   hit.face = front.back;
+  hit.from_behind = false;
   hit.u = weights[(front.turn + 2) % 3];
   hit.v = weights[(front.turn + 1) % 3];
 }

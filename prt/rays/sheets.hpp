@@ -16,6 +16,7 @@ struct Hit {
   float u = 0.0F;
   float v = 0.0F;
   float distance = 0.0F;
+  bool from_behind = false;  // the ray goes along the normal of the face
 
   /// The parts of the corners.
   [[nodiscard]] std::array<float, 3> parts() const { return {1.0F - u - v, u, v}; }
@@ -39,8 +40,8 @@ class Sheets {
   [[nodiscard]] std::vector<Face> without_backs(const std::vector<Face>& faces) const;
   /// How many tested faces come before a face.
   [[nodiscard]] std::uint32_t count_before(std::uint32_t face) const;
-  /// Replaces the index of a tested face by its index among all, or by the index of its other side if `from_behind`.
-  void face_ray(bool from_behind, Hit& hit) const;
+  /// Replaces the index of a tested face by its index among all, or by that of its other side for a hit from behind.
+  void face_ray(Hit& hit) const;
 
  private:
   struct Front {

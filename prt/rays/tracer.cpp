@@ -181,17 +181,16 @@ struct Tracer::Impl {
     if (rtcGetDeviceError(device) != RTC_ERROR_NONE) fail("Embree cannot build its tree");
   }
 
-  // The hit of the mesh for one of Embree; `direction` is that of its ray.
-  [[nodiscard]] Hit hit_of_mesh(const RTCRayHit& ray, const Eigen::Vector3f& direction) const {
+  // The hit of a traced face for one of Embree; `direction` is that of its ray.
+  [[nodiscard]] Hit hit_of_traced(const RTCRayHit& ray, const Eigen::Vector3f& direction) const {
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
     const std::uint32_t instance = ray.hit.instID[0];
     const Attached& part = attached[instance == RTC_INVALID_GEOMETRY_ID ? ray.hit.geomID : instance];
-    Hit hit{part.first + ray.hit.primID, ray.hit.u, ray.hit.v, ray.ray.tfar};
-    if (sheets.any()) {
-      const Eigen::Vector3f normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
-      sheets.face_ray(normal.dot(part.to_original * direction) > 0.0F, hit);
-    }
-    return wholes.any() ? wholes.hit_of_mesh(hit) : hit;
+    const Eigen::Vector3f normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
+    Hit hit{part.first + ray.hit.primID, ray.hit.u, ray.hit.v, ray.ray.tfar,
+            normal.dot(part.to_original * direction) > 0.0F};
+    if (sheets.any()) sheets.face_ray(hit);
+    return hit;
   }
 };
 
@@ -228,6 +227,15 @@ std::uint64_t Tracer::rays() const { return impl_->rays; }
 
 void Tracer::intersect(std::span<const Eigen::Vector3f> origins, std::span<const Eigen::Vector3f> directions,
                        std::span<Hit> hits) const {
+  meet(origins, directions, hits);
+  if (!impl_->wholes.any()) return;
+  for (Hit& hit : hits) {
+    if (hit.face != Hit::kNothing) hit = impl_->wholes.hit_of_mesh(hit);
+  }
+}
+
+void Tracer::meet(std::span<const Eigen::Vector3f> origins, std::span<const Eigen::Vector3f> directions,
+                  std::span<Hit> hits) const {
   impl_->rays += hits.size();
   std::vector<RTCRayHit> rays(std::min(kPrimaryBatch, hits.size()));
   RTCIntersectContext context;
@@ -243,7 +251,7 @@ void Tracer::intersect(std::span<const Eigen::Vector3f> origins, std::span<const
       rays[i].hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     }
     rtcIntersect1M(impl_->scene, &context, rays.data(), static_cast<unsigned>(count), sizeof(RTCRayHit));
-    for (std::size_t i = 0; i < count; ++i) hits[first + i] = impl_->hit_of_mesh(rays[i], directions[first + i]);
+    for (std::size_t i = 0; i < count; ++i) hits[first + i] = impl_->hit_of_traced(rays[i], directions[first + i]);
   }
 }
 

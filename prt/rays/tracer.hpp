@@ -58,6 +58,10 @@ class Tracer {
   void intersect(std::span<const Eigen::Vector3f> origins, std::span<const Eigen::Vector3f> directions,
                  std::span<Hit> hits) const;
 
+  /// The same, but the face of a hit and its place in it are not those of the mesh, which take time to find.
+  void meet(std::span<const Eigen::Vector3f> origins, std::span<const Eigen::Vector3f> directions,
+            std::span<Hit> hits) const;
+
   /// Sets `far` of the rays that hit anything to -infinity.
   void occluded(std::span<ShadowRay> rays) const;
 

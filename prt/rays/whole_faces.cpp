@@ -138,7 +138,7 @@ Hit WholeFaces::hit_of_mesh(const Hit& hit) const {
   if (later == runs_.begin()) return hit;
   const Run& run = *std::prev(later);
   const std::uint32_t place = hit.face - run.traced;
-  if (place >= run.count) return {run.end + (place - run.count), hit.u, hit.v, hit.distance};
+  if (place >= run.count) return {run.end + (place - run.count), hit.u, hit.v, hit.distance, hit.from_behind};
   const Halving::Whole& whole = wholes_[run.whole + place];
   const auto u = static_cast<double>(hit.u);
   const auto v = static_cast<double>(hit.v);
@@ -146,7 +146,8 @@ Hit WholeFaces::hit_of_mesh(const Hit& hit) const {
   if (whole.is_turned) std::swap(weights[1], weights[2]);
   PlaceInFace found = located(cuts_, whole.part, weights);
   if (whole.is_turned) std::swap(found.weights[1], found.weights[2]);
-  return {found.face, static_cast<float>(found.weights[1]), static_cast<float>(found.weights[2]), hit.distance};
+  return {found.face, static_cast<float>(found.weights[1]), static_cast<float>(found.weights[2]), hit.distance,
+          hit.from_behind};
 }
 
 }  // namespace sh::prt

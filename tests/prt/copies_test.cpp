@@ -67,6 +67,7 @@ Found compare_hits(const Mesh& mesh) {
     found.met += expected[k].face != Hit::kNothing ? 1 : 0;
     found.others += hits[k].face != expected[k].face ? 1 : 0;
     if (hits[k].face == Hit::kNothing || hits[k].face != expected[k].face) continue;
+    EXPECT_EQ(hits[k].from_behind, expected[k].from_behind);
     EXPECT_LT((interpolated(hits[k], mesh, mesh.positions) - interpolated(expected[k], mesh, mesh.positions)).norm(),
               2e-5F * size);
     EXPECT_NEAR(hits[k].distance, expected[k].distance, 2e-5F * size);

@@ -161,7 +161,7 @@ TEST(Rehearsal, GathersWhatLobesSendByTheCoarseBakes) {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       std::array<Eigen::Vector3d, 9> expected;
       expected.fill(Eigen::Vector3d::Zero());
-      for (const BlockedAt& ray : rays_to_fronts(gatherer, mesh, wanted[i])) {
+      for (const BlockedAt& ray : rays_to_fronts(gatherer, wanted[i])) {
         std::array<float, 9> basis;
         evaluate_basis(2, ray.direction.x(), ray.direction.y(), ray.direction.z(), basis.data());
         const Face& face = mesh.faces[ray.hit.face];

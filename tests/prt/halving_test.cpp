@@ -285,23 +285,32 @@ TEST(Halving, LeavesRaysTheHitsOfTheMesh) {
     std::vector<Hit> expected(origins.size());
     by_wholes.intersect(origins, directions, hits);
     by_faces.intersect(origins, directions, expected);
+    std::vector<Hit> met(origins.size());
+    by_wholes.meet(origins, directions, met);
     std::size_t others = 0;
-    std::size_t met = 0;
+    std::size_t both = 0;
     for (std::size_t k = 0; k < hits.size(); ++k) {
       if (hits[k].face == Hit::kNothing || expected[k].face == Hit::kNothing) {
         others += hits[k].face == expected[k].face ? 0 : 1;
         continue;
       }
-      ++met;
+      ++both;
       others += hits[k].face == expected[k].face ? 0 : 1;
       const Eigen::Vector3f place = interpolated(hits[k], mesh, mesh.positions);
       EXPECT_LT((place - interpolated(expected[k], mesh, mesh.positions)).norm(), 1e-4F);
       EXPECT_NEAR(hits[k].distance, expected[k].distance, 1e-4F) << "grazing rays";
+      const float along = face_normal(mesh.positions, mesh.faces[hits[k].face]).dot(directions[k]);
+      if (std::abs(along) > 1e-3F) {
+        EXPECT_EQ(hits[k].from_behind, along > 0.0F);
+      }
+      EXPECT_EQ(met[k].face != Hit::kNothing, hits[k].face != Hit::kNothing);
+      EXPECT_EQ(met[k].distance, hits[k].distance);
+      EXPECT_EQ(met[k].from_behind, hits[k].from_behind);
       EXPECT_GT(face_normal(mesh.positions, mesh.faces[hits[k].face])
                     .dot(face_normal(mesh.positions, mesh.faces[expected[k].face])),
                 0.0F);
     }
-    EXPECT_GT(met, 500U);
+    EXPECT_GT(both, 500U);
     EXPECT_LT(others, hits.size() / 100) << "they lie on edges";
   }
 }
