@@ -40,7 +40,7 @@ class Corners {
 std::optional<Eigen::Affine3f> map_to_copy(const Corners& corners, const RunOfNode& original,
                                            const Eigen::Vector3f& center, const RunOfNode& copy) {
   const Eigen::Affine3d exact = copy.map * original.map.inverse() * Eigen::Translation3d(center.cast<double>());
-  if (!exact.matrix().allFinite() || !(exact.linear().determinant() > 0.0)) return std::nullopt;
+  if (!(exact.linear().determinant() > 0.0)) return std::nullopt;
   const Eigen::Affine3f map = exact.cast<float>();
   const Eigen::Affine3f back = map.inverse();
   for (std::uint32_t f = 0; f < original.run.count; ++f) {

@@ -123,6 +123,58 @@ TEST(Copies, GiveRaysTheHitsOfTheMesh) {
   }
 }
 
+// A triangle and its copy, one unit above. Every corner has to be where the map puts it.
+TEST(Copies, AreAlikeAtEveryCorner) {
+  const std::vector<Face> faces = {{0, 1, 2}, {3, 4, 5}};
+  const std::vector<RunOfNode> nodes = {{{0, 1}, Eigen::Affine3d::Identity()},
+                                        {{1, 1}, Eigen::Affine3d(Eigen::Translation3d(0, 0, 1))}};
+  const std::vector<Eigen::Vector3f> positions = {{2, 0, 0}, {4, 0, 0}, {2, 6, 0}, {2, 0, 1}, {4, 0, 1}, {2, 6, 1}};
+  const std::vector<CopiedRun> copied = find_copies(positions, faces, nodes, 1);
+  ASSERT_EQ(copied.size(), 1U);
+  EXPECT_EQ(copied[0].center, Eigen::Vector3f(3, 3, 0)) << "the middle of the box";
+  ASSERT_EQ(copied[0].places.size(), 2U);
+  EXPECT_EQ(copied[0].places[1].first, 1U);
+  EXPECT_EQ(copied[0].places[1].from_original.translation(), Eigen::Vector3f(3, 3, 1));
+  EXPECT_TRUE(find_copies(positions, faces, nodes, 2).empty()) << "too few faces";
+  for (std::size_t moved = 0; moved < positions.size(); ++moved) {
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<Eigen::Vector3f> other = positions;
+      other[moved][axis] += 0.01F;
+      EXPECT_TRUE(find_copies(other, faces, nodes, 1).empty()) << moved << ' ' << axis;
+    }
+  }
+}
+
+TEST(Copies, AreLookedForAmongSomeShapesOfASize) {
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<Face> faces;
+  std::vector<RunOfNode> nodes;
+  for (std::uint32_t f = 0; f < 200; ++f) {  // a hundred triangles, and each of them again
+    const auto shape = static_cast<float>(f % 100);
+    positions.insert(positions.end(), {{0, 0, shape}, {1, 0, shape}, {0, 1 + shape, shape}});
+    faces.push_back({3 * f, 3 * f + 1, 3 * f + 2});
+    nodes.push_back({{f, 1}, Eigen::Affine3d::Identity()});
+  }
+  EXPECT_EQ(find_copies(positions, faces, nodes, 1).size(), 64U);
+}
+
+TEST(Copies, GetTheVerticesOfTheirFacesOnly) {
+  const std::vector<Eigen::Vector3f> positions = {{9, 9, 9}, {2, 0, 0}, {4, 0, 0}, {2, 6, 0}, {8, 8, 8}, {4, 6, 0}};
+  const std::vector<Face> faces = {{1, 2, 3}, {2, 5, 3}, {0, 4, 5}};
+  Parts parts(positions, faces);
+  EXPECT_EQ(parts.choose({0, 1}), 3U);
+  EXPECT_EQ(parts.choose({1, 2}), 5U);
+  EXPECT_EQ(parts.choose({0, 2}), 4U);
+  std::array<Eigen::Vector3f, 4> written;
+  std::array<Face, 2> numbered{};
+  parts.write({1, 0, 0}, written.data(), numbered.data());
+  for (std::size_t f = 0; f < 2; ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(written[numbered[f][k]], positions[faces[f][k]] - Eigen::Vector3f(1, 0, 0));
+    }
+  }
+}
+
 // Faces that nothing copied stand before, between and behind copies.
 TEST(Copies, LeaveOtherFacesTheirNumbers) {
   const std::string torus = R"({"primitive": "torus", "segments": 32, "transform": {"translate": [)";
