@@ -23,8 +23,21 @@ TEST(Sheets, PairFacesThatCoincideTheOtherWayRound) {
     EXPECT_EQ(tested({{0, 1, 2}, back}), 1U);
     EXPECT_EQ(tested({{1, 3, 2}, back, {2, 0, 1}}), 2U);
   }
+  EXPECT_EQ(tested({{0, 1, 2}, {1, 3, 2}}), 2U);
   EXPECT_EQ(tested({{0, 1, 2}, {0, 2, 1}, {4, 5, 6}}), 2U) << "a face belongs to one pair";
   EXPECT_EQ(tested({{0, 1, 2}, {0, 2, 1}, {4, 5, 6}, {4, 6, 5}}), 2U);
+}
+
+TEST(Sheets, PairEachFaceOnceWhereSeveralCoincide) {
+  const std::vector<Face> faces = {{0, 1, 2}, {4, 5, 6}, {0, 2, 1}, {4, 6, 5}};
+  const Sheets sheets(kPositions, faces);
+  ASSERT_EQ(sheets.without_backs(faces).size(), 2U);
+  for (std::uint32_t f = 0; f < 2; ++f) {
+    Hit hit{f, 0.2F, 0.3F, 1.0F, true};
+    sheets.face_ray(hit);
+    EXPECT_EQ(hit.face, f + 2);
+    EXPECT_FALSE(hit.from_behind);
+  }
 }
 
 TEST(Sheets, TellWhichSideARayMeets) {
