@@ -22,9 +22,11 @@ namespace {
 
 constexpr double kSampleSeconds = 0.05;
 constexpr std::size_t kMostSamples = 4096;
-constexpr std::size_t kRunRays = 2048;   // of vertices sampled one after the other, as the bake traces them: the first
-constexpr std::size_t kLongestRun = 32;  // rays of such a run bring their part of the tree into the caches
-constexpr std::size_t kPanels = 4;       // of the series: sum, term, next term, right sides
+// Neighbors are sampled one after the other, as the bake traces them: the first rays of a run bring what the others need
+// into the caches. A run is one vertex if it has so many rays.
+constexpr std::size_t kRunRays = 2048;
+constexpr std::size_t kLongestRun = 32;       // vertices
+constexpr std::size_t kPanels = 4;            // of the series: sum, term, next term, right sides
 constexpr std::size_t kBytesADirection = 72;  // of a thread's buffers
 constexpr double kUsedOfBudget = 5.0 / 6.0;
 constexpr double kBouncesOfBudget = 0.5;

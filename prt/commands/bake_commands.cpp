@@ -214,7 +214,7 @@ void run_bake(const BakeCommand& options) {
                               .ranks = options.ranks,
                               .plan_file = options.plan_file()};
   Scene scene = load_scene(options.scene, settings.on_flaw);
-  malloc_trim(0);  // loading leaves a third of the memory of a large scene to the allocator
+  malloc_trim(0);  // what loading freed, which the allocator keeps otherwise
   output::require_no_input(options.output, scene.files);
   output::require_no_input(options.output, {settings.plan_file});
   output::require_no_input(options.output, options.parts);

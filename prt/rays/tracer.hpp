@@ -37,7 +37,7 @@ struct alignas(16) ShadowRay {
 /// does not have.
 std::string choose_instruction_set(const std::string& wanted = "");
 
-/// Faces of copies, whose trees would take more than half a gigabyte.
+/// Faces of copies from which on the memory of their trees counts more than the time of rays.
 inline constexpr std::size_t kSharedCopies = std::size_t{1} << 23U;
 
 /// A mesh ready for rays. If two faces coincide with opposite orientation (the sides of one sheet), a ray hits the one
@@ -46,8 +46,8 @@ class Tracer {
  public:
   /// Builds the tree with `threads` threads; 0 uses every core. `instruction_set` is sse4.2, avx, avx2 or avx512; empty
   /// selects the best up to avx2 that the processor has. Copies (prt/rays/copies.hpp) share a tree if they have `shared`
-  /// faces or more: this saves their memory, some 80 bytes a face, and rays take 1.5 times as long. Throws std::invalid_argument for an unknown or unsupported
-  /// instruction set, std::runtime_error if Embree reports an error.
+  /// faces or more: this saves the memory of the others, and rays take longer. Throws std::invalid_argument for an unknown
+  /// or unsupported instruction set, std::runtime_error if Embree reports an error.
   explicit Tracer(const Mesh& mesh, int threads = 0, const std::string& instruction_set = "",
                   std::size_t shared = kSharedCopies);
   ~Tracer();
