@@ -18,7 +18,7 @@ double rounded_to(double x, float /*type*/) { return static_cast<double>(static_
 // The nearest half, ties to even: the sum with a number whose last place is that of a half of this size.
 double rounded_to(double x, Half /*type*/) {
   constexpr std::uint64_t kExponentBits = 0x7ff0000000000000ULL;
-  const double power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & kExponentBits);
+  const auto power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & kExponentBits);
   const double shift = 0x1.8p42 * std::max(power, 0x1p-14);
   const double nearest = (x + shift) - shift;
   return std::abs(nearest) <= 65504 ? nearest : std::numeric_limits<double>::infinity();

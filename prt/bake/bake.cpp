@@ -179,7 +179,7 @@ Transfer run_by_channel(const BakeJob& job, const std::shared_ptr<Tracer>& trace
 // Sets fewer directions and a deadline for the bounces if there is a budget. Returns a tracer of the scene, if it made one.
 std::shared_ptr<Tracer> prepare(BakeJob& job, const BakeObserver& say) {
   constexpr double kWorthSaying = 2.0;  // seconds
-  if (!job.scene.bake.kind->traces_rays() || (!say && !job.budget)) return {};
+  if (!traces_here(job.scene, job.settings) || (!say && !job.budget)) return {};
   const BakeEstimate estimate = estimate_bake(job);
   if (say && estimate.seconds() >= kWorthSaying) {
     say(fmt::format("about {:.2g} s, {:.0f} MiB: {:.3g} million rays{}", estimate.seconds(),

@@ -28,8 +28,10 @@ void report(const BakeRun& run, const std::string& flaw) {
 void begin_tracing(BakeRun& run) {
   const Scene& scene = run.scene;
   Transfer& transfer = run.transfer;
-  run.rays.emplace(scene.mesh, scene.bake, run.settings.threads, run.settings.instruction_set, run.tracer);
-  transfer.instruction_set = run.rays->tracer.instruction_set();
+  if (traces_here(scene, run.settings)) {
+    run.rays.emplace(scene.mesh, scene.bake, run.settings.threads, run.settings.instruction_set, run.tracer);
+  }
+  transfer.instruction_set = choose_instruction_set(run.settings.instruction_set);
   transfer.directions = static_cast<std::uint32_t>(scene.bake.directions);
   transfer.sampler = scene.bake.sampler;
   transfer.seed = scene.bake.seed;
@@ -103,6 +105,11 @@ void check_bounces(const BakeRun& run) {
 
 }  // namespace
 
+bool traces_here(const Scene& scene, const BakeSettings& settings) {
+  const TransferKind& kind = *scene.bake.kind;
+  return kind.traces_rays() && (settings.checkpoint.parts.empty() || kind.has_bounces());
+}
+
 Panel direct_light(const Mesh& mesh, const Transfer& transfer, const BounceLayout& layout) {
   Panel x(mesh.positions.size(), layout.columns());
   const std::size_t count = transfer.shape.count();
@@ -146,7 +153,7 @@ void take_unshadowed(BakeRun& run) {
 
 void trace_shadows(BakeRun& run) {
   begin_tracing(run);
-  const double cut = ShadowPass(*run.rays, run.open, *run.found).run(*run.checkpoint);
+  const double cut = run.rays ? ShadowPass(*run.rays, run.open, *run.found).run(*run.checkpoint) : 0.0;
   if (!run.settings.checkpoint.shard.is_whole()) return;  // the other vertices are not traced
   if (cut > kNoticedCut) {                                // mirrors that face each other and lose little
     report(run, fmt::format("paths were cut after {} mirrors: up to {:.2g} of the light of a vertex is left out",

@@ -41,8 +41,8 @@ struct BakeRun {
   const std::vector<std::uint8_t>& open;  // as in Plan
   std::shared_ptr<Tracer> tracer;         // of the mesh, if there is one
   Transfer transfer;                      // in the shape of the last finished step, without the mesh
-  std::optional<RaySetup> rays;
-  std::optional<FormFactors> factors;  // only for kinds with bounces
+  std::optional<RaySetup> rays;           // unless all are traced
+  std::optional<FormFactors> factors;     // only for kinds with bounces
   std::optional<ShadowResult> found;
   std::optional<Checkpoint> checkpoint;
 };
@@ -54,6 +54,9 @@ void trace_shadows(BakeRun& run);
 /// In: shadowed vectors and the form factors. Out: vectors of three channels that hold the albedo. Bounces that do not
 /// converge are reported as a flaw.
 void add_bounces(BakeRun& run);
+
+/// Whether the bake traces rays: not where parts hold what all of them found, and no bounces follow.
+bool traces_here(const Scene& scene, const BakeSettings& settings);
 
 /// Where the iterates of bounces are kept; empty: nowhere.
 inline std::string bounces_file(const CheckpointSettings& settings) {

@@ -326,7 +326,7 @@ void add_bake_to(CLI::App& tool, const Ranks& ranks) {
   command.callback([options, &command] {
     if (options->output.empty() && !options->only_estimate) throw CLI::RequiredError("--output");
     options->command =
-        words_without(command, {"--shard", "--output", "--threads", "--restart", "--checkpoint-seconds"});
+        words_without(command, {"--shard", "--output", "--threads", "--restart", "--checkpoint-seconds", "--scratch"});
     with_threads(options->threads, [&] { run_bake(*options); });
   });
 }

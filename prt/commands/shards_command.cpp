@@ -50,6 +50,8 @@ class Job {
     std::vector<std::string> words = {"prt", "merge"};
     for (std::uint32_t i = 1; i <= options_.count; ++i) words.push_back(part(std::to_string(i)));
     words.insert(words.end(), {"-o", options_.output});
+    const auto folder = std::find(options_.words.begin(), options_.words.end(), "--scratch");
+    if (folder != options_.words.end()) words.insert(words.end(), folder, folder + 2);
     return words;
   }
   [[nodiscard]] std::uint32_t count() const { return options_.count; }

@@ -17,6 +17,7 @@
 #include "numeric/output/progress.hpp"
 #include "numeric/output/version.hpp"
 #include "prt/commands/commands.hpp"
+#include "prt/commands/scratch.hpp"
 
 namespace {
 
@@ -84,11 +85,17 @@ void settle_options(CLI::App& tool) {
   }
 }
 
-// `--log` of every command that does something.
-void add_log_option(CLI::App& tool) {
+// `--log` and `--scratch` of every command that does something.
+void add_common_options(CLI::App& tool) {
   for (CLI::App* command : tool.get_subcommands({})) {
-    add_log_option(*command);
+    add_common_options(*command);
     if (!command->get_subcommands({}).empty()) continue;
+    command
+        ->add_option_function<std::string>(
+            "--scratch", [](const std::string& folder) { sh::prt::use_scratch(folder); },
+            "folder on a disk for large arrays, for work that is larger than memory; default: memory")
+        ->default_str("")
+        ->trigger_on_parse();
     command
         ->add_option_function<std::string>(
             "--log",
@@ -120,7 +127,7 @@ int run(int argc, char** argv) {
   CLI::App tool("Precomputed radiance transfer with spherical harmonics: bake, relight, render.", "prt");
   tool.set_version_flag("--version", sh::output::version_of("prt"));
   add_commands(argc > 1 ? argv[1] : "", tool);
-  add_log_option(tool);
+  add_common_options(tool);
   settle_options(tool);
   if (argc == 1) {
     std::fputs(tool.help().c_str(), stderr);
@@ -156,6 +163,8 @@ int tell_error(const std::exception_ptr& error) {
     return failed(difference.what(), 1);
   } catch (const output::MachineError& machine) {
     return failed(machine.what(), kRetry);
+  } catch (const ScratchFull& full) {
+    return failed(full.what(), kRetry);
   } catch (const std::bad_alloc&) {
     return failed("this machine has too little memory for it", kRetry);
   } catch (const std::exception& other) {

@@ -1,0 +1,28 @@
+// Arrays larger than memory, for the tool `prt`: its operator new takes large arrays from files.
+#pragma once
+#include <cstddef>
+#include <new>
+#include <string>
+
+namespace sh::prt {
+
+/// Arrays of so many bytes are large.
+inline constexpr std::size_t kLargeArray = std::size_t{16} << 20U;
+
+/// The disk has no room for an array; what() says so in one line.
+class ScratchFull : public std::bad_alloc {
+ public:
+  explicit ScratchFull(const std::string& line) noexcept;
+  [[nodiscard]] const char* what() const noexcept override { return static_cast<const char*>(line_); }
+
+ private:
+  char line_[512]{};
+};
+
+/// From now on, a large array that operator new makes is a file in `folder`, mapped into memory, without a name and gone with
+/// the process. The system keeps in memory what is in use, so that a command needs room on the disk in place of memory.
+/// Not so: what libraries take by malloc, such as the tree of the ray tracer. Where the disk is full, operator new throws
+/// ScratchFull. Once in a process. Throws std::runtime_error, one line, for a folder that cannot be written.
+void use_scratch(const std::string& folder, std::size_t large = kLargeArray);
+
+}  // namespace sh::prt
