@@ -5,6 +5,8 @@
 //
 // With AVX-512 SIMD inside, degree 3 to 6; otherwise the kernels of generated/cpp/rotate.hpp. A prepared matrix is the
 // same on every instruction set: matrices to degree 1, columns of lanes above.
+#include <algorithm>
+
 #include "../cpp/rotate.hpp"
 #include "../cpp/rotate_apply.hpp"
 #include "../cpp/rotate_build.hpp"
@@ -72,7 +74,7 @@ template <int Degree>
 }
 template <int Degree>
 [[gnu::flatten]] void apply_columns(const float* prepared, const float* c, float* out) {
-  apply_first_bands<(Degree < 3 ? Degree : 3)>(prepared, c, out);
+  apply_first_bands<std::min(Degree, 3)>(prepared, c, out);
   repeat<(Degree > 3 ? Degree - 3 : 0)>([&](auto above) {
     constexpr int kL = 4 + above;
     apply_band<kL, lanes_of_band(kL)>(prepared + first_of_band(kL), c, out);
