@@ -17,7 +17,7 @@
 #include "numeric/output/progress.hpp"
 #include "numeric/output/version.hpp"
 #include "prt/commands/commands.hpp"
-#include "prt/commands/scratch.hpp"
+#include "prt/commands/large_arrays.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "prt/commands/scratch.hpp"
+#include "prt/commands/large_arrays.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -15,6 +15,8 @@
 #include <mutex>
 #include <new>
 #include <stdexcept>
+
+#include "prt/large_pages.hpp"
 
 namespace sh::prt {
 
@@ -86,6 +88,7 @@ class Scratch {
 
 // For operator new, which may be called before other objects exist and after they are gone.
 constinit std::atomic<Scratch*> scratch{nullptr};
+constexpr std::size_t kOnLargePages = std::size_t{4} << 20U;  // smaller arrays stay where others were
 constinit std::atomic<std::size_t> large_array{std::numeric_limits<std::size_t>::max()};
 
 bool begins_page(void* memory) {
@@ -107,7 +110,10 @@ void* operator new(std::size_t bytes) {
   using namespace sh::prt;
   if (bytes >= large_array.load(std::memory_order_relaxed)) return scratch.load()->map(bytes);
   while (true) {
-    if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
+    if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) {
+      if (bytes >= kOnLargePages) ask_for_large_pages(memory, bytes);
+      return memory;
+    }
     const std::new_handler handler = std::get_new_handler();
     if (handler == nullptr) throw std::bad_alloc();
     handler();

@@ -1,4 +1,5 @@
-// Arrays larger than memory, for the tool `prt`: its operator new takes large arrays from files.
+// The operator new of the tool `prt`: large arrays lie on large pages of memory, where the system has them, which saves faults of
+// pages; or in files of a folder, where the user names one, for work that is larger than memory.
 #pragma once
 #include <cstddef>
 #include <new>
