@@ -56,10 +56,35 @@ json city(double longest) {
           {"bake", {{"degree", 4}, {"directions", 512}}}};
 }
 
-std::size_t write(const std::string& file, double longest) {
-  output::write_file(file, city(longest).dump());
-  return prt::load_scene(file, prt::OnFlaw::kMend).mesh.positions.size();
+// Copies of a model in rows, turned by different angles, each in a square of side 1 that holds its diagonal.
+json copies(const std::string& model, const Eigen::AlignedBox3d& box, int count) {
+  const double scale = 1.0 / box.diagonal().norm();
+  const int side = static_cast<int>(std::ceil(std::sqrt(count)));
+  json meshes = json::array();
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d center = scale * box.center();
+    const Eigen::Vector3d at(i % side, i / side, scale * -box.min().z());
+    const double angle = 137.5 * i;
+    const Eigen::Vector3d turned =
+        Eigen::AngleAxisd(angle * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ()) * center;
+    meshes.push_back({{"file", model},
+                      {"transform",
+                       {{"scale", scale},
+                        {"rotate", {{"axis", {0, 0, 1}}, {"degrees", angle}}},
+                        {"translate", {at.x() - turned.x(), at.y() - turned.y(), at.z()}}}}});
+  }
+  return {{"name", "copies"},
+          {"meshes", meshes},
+          {"ground", {{"height", 0.0}, {"size", side + 1.0}, {"max_edge", 0.02}}},
+          {"bake", {{"degree", 4}, {"directions", 512}}}};
 }
+
+prt::Mesh written(const std::string& file, const json& scene) {
+  output::write_file(file, scene.dump());
+  return prt::load_scene(file, prt::OnFlaw::kMend).mesh;
+}
+
+std::size_t write(const std::string& file, double longest) { return written(file, city(longest)).positions.size(); }
 
 }  // namespace
 
@@ -67,6 +92,14 @@ std::size_t write_city(const std::string& file, double receivers) {
   constexpr double kEdge = 0.3;
   const auto few = static_cast<double>(write(file, kEdge));
   return write(file, kEdge * std::sqrt(few / receivers));
+}
+
+std::size_t write_copies(const std::string& file, const std::string& model, double receivers) {
+  const prt::Mesh one = written(file, {{"meshes", {{{"file", std::filesystem::absolute(model)}}}}});
+  const std::vector<Eigen::Vector3d> points = prt::points_of(one);
+  const double count = std::max(1.0, std::round(receivers / static_cast<double>(points.size())));
+  return written(file, copies(std::filesystem::absolute(model), prt::bounding_box(points), static_cast<int>(count)))
+      .positions.size();
 }
 
 Cost run(const std::vector<std::string>& words) {

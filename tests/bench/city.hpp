@@ -1,4 +1,4 @@
-// A generated city of any size, and commands on it in processes of their own, so that memory is theirs.
+// Scenes of any size, a generated city and copies of a model, and commands on it in processes of their own, so that memory is theirs.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -8,6 +8,10 @@ namespace sh::bench {
 
 /// Writes a scene of houses of several heights and colors on a ground, with about so many receivers; returns how many.
 std::size_t write_city(const std::string& file, double receivers);
+
+/// Writes a scene of copies of a model file side by side on a ground, with about so many receivers but one copy at least;
+/// returns how many.
+std::size_t write_copies(const std::string& file, const std::string& model, double receivers);
 
 struct Cost {
   double seconds = 0.0;  // of the processor, of all threads and children

@@ -2,6 +2,7 @@
 // against that of one bake, the merge against copying its files, bounces on two ranks of MPI against one process, and the
 // memory that a receiver takes. Every command is a process of its own, `prt` of the same build. Takes minutes. Exit 1 if a
 // target is missed.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -69,6 +70,13 @@ void diffuse(Table& table, const sh::test::TemporaryFolder& folder, const std::s
   const Shards many = bake_shards(folder, scene, kShards, {"--directions", "2048", "--kind", "shadowed"});
   table.ratio("2 shards", "s", two.seconds, one.seconds, "one bake", 1.03);
   table.ratio(std::to_string(kShards) + " shards", "s", many.seconds, one.seconds, "one bake", 1.03);
+  // On paper: what every process repeats, from the difference between 8 shards and one bake, and the rest divided.
+  const double repeated = std::max(0.0, (many.seconds - one.seconds) / (kShards - 1));
+  constexpr double kProcesses = 1000.0;
+  char line[160];
+  std::snprintf(line, sizeof line, "on paper, 1,000 shards: %.2f s each, of which all repeat %.2f s; one bake %.1f s",
+                repeated + (one.seconds - repeated) / kProcesses, repeated, one.seconds);
+  table.remark(static_cast<const char*>(line));
   const Cost merge = run(merge_of(many, merged));
   const std::string parts = folder.file("*of" + std::to_string(kShards) + "shadowed");
   const std::string copy = folder.file("copy");
@@ -86,11 +94,15 @@ void bounces(Table& table, const sh::test::TemporaryFolder& folder, const std::s
   const Shards shards = bake_shards(folder, scene, 2, {"--kind", "interreflected"});
   const std::vector<std::string> words = merge_of(shards, folder.file("bounced.transfer"));
   const Cost one = run(words);
-  std::vector<std::string> on_ranks = {"mpirun", "--allow-run-as-root", "--oversubscribe", "-np", "2"};
-  on_ranks.insert(on_ranks.end(), words.begin(), words.end());
-  const Cost two = run(on_ranks);
+  const auto on_ranks = [&words](const std::string& count) {
+    std::vector<std::string> line = {"mpirun", "--allow-run-as-root", "--oversubscribe", "-np", count};
+    line.insert(line.end(), words.begin(), words.end());
+    return run(line);
+  };
+  const Cost two = on_ranks("2");
   table.ratio("2 ranks", "s", two.elapsed, 0.5 * one.elapsed, "half of one", 1.1);
   table.ratio("memory of a rank of 2", "MiB", two.bytes / kMiB, one.bytes / kMiB, "one", 0.6);
+  table.ratio("memory of a rank of 4", "MiB", on_ranks("4").bytes / kMiB, one.bytes / kMiB, "one", 0.4);
   sh::prt::Scene loaded = sh::prt::load_scene(scene, sh::prt::OnFlaw::kMend);
   loaded.bake.kind = &sh::prt::kInterreflected;
   loaded.bake.bounces.directions = 64;

@@ -1,5 +1,5 @@
-// How bakes grow with the number of receivers: growth_bench [FILE.svg [MOST]]. A generated city of houses and copies of a
-// sculpture on a ground, of 10^4 receivers and more, three sizes a decade, up to MOST (10^6). Each bake is a process of its own,
+// How bakes grow with the number of receivers: growth_bench [FILE.svg [MOST [MODEL]]]. A generated city of houses and copies of a
+// sculpture on a ground, of 10^4 receivers and more, three sizes a decade, up to MOST (10^6); or copies of a model, from one on. Each bake is a process of its own,
 // `prt bake` of the same build, so that its memory is its own. A kind ends where the next size would take more than the
 // memory of the machine, or ten minutes of the processor. Prints processor time, memory and bytes, and draws them. Takes minutes.
 #include <fmt/format.h>
@@ -24,6 +24,7 @@ namespace {
 using sh::bench::Cost;
 using sh::bench::run;
 using sh::bench::write_city;
+using sh::bench::write_copies;
 
 constexpr double kFewest = 1e4;       // receivers
 constexpr double kMostSeconds = 600;  // of the processor
@@ -38,17 +39,18 @@ bool is_too_much(const std::vector<sh::output::ChartPoint>& measured, double rec
   return !measured.empty() && measured.back().y / measured.back().x * receivers > most;
 }
 
-void measure(const std::string& picture, double most) {
+void measure(const std::string& picture, double most, const std::string& model) {
   const sh::test::TemporaryFolder folder;
   const std::string scene = folder.file("city.json");
   const std::string out = folder.file("city.transfer");
-  sh::output::Chart chart{.title = "A city: memory and processor time of bakes",
-                          .x = {"receivers"},
-                          .y = {"MiB of memory (lines), seconds of the processor (dashes)"},
-                          .series = {},
-                          .width = 640,
-                          .height = 420,
-                          .legend = true};
+  sh::output::Chart chart{
+      .title = (model.empty() ? "A city" : "Copies of a model") + std::string(": memory and processor time of bakes"),
+      .x = {"receivers"},
+      .y = {"MiB of memory (lines), seconds of the processor (dashes)"},
+      .series = {},
+      .width = 640,
+      .height = 420,
+      .legend = true};
   for (std::size_t k = 0; k < kBakes.size(); ++k) {
     const auto& [name, words] = kBakes[k];
     chart.series.push_back({.name = name, .color = static_cast<int>(k), .line = sh::output::Line::kStraight});
@@ -60,8 +62,11 @@ void measure(const std::string& picture, double most) {
   }
   fmt::print("{:>10} {:<30} {:>8} {:>12} {:>8} {:>10} {:>10}\n", "receivers", "bake", "s", "us/receiver", "MiB",
              "B/receiver", "B in file");
+  std::size_t before = 0;
   for (double wanted = kFewest; wanted <= most * 1.01; wanted *= std::cbrt(10.0)) {
-    const std::size_t receivers = write_city(scene, wanted);
+    const std::size_t receivers = model.empty() ? write_city(scene, wanted) : write_copies(scene, model, wanted);
+    if (receivers == before) continue;  // one copy already has more
+    before = receivers;
     const auto count = static_cast<double>(receivers);
     for (std::size_t k = 0; k < kBakes.size(); ++k) {
       if (is_too_much(chart.series[2 * k].points, count, sh::prt::memory_of_machine() / 1048576.0)) continue;
@@ -86,11 +91,11 @@ void measure(const std::string& picture, double most) {
 int main(int argc, char** argv) {
   try {
     const double most = argc > 2 ? std::strtod(argv[2], nullptr) : 1e6;
-    if (argc > 3 || !(most >= kFewest)) {
+    if (argc > 4 || !(most >= kFewest)) {
       throw std::invalid_argument(
-          fmt::format("expected a file and at least {:g} receivers: growth_bench [FILE.svg [MOST]]", kFewest));
+          fmt::format("expected a file and at least {:g} receivers: growth_bench [FILE.svg [MOST [MODEL]]]", kFewest));
     }
-    measure(argc > 1 ? argv[1] : "", most);
+    measure(argc > 1 ? argv[1] : "", most, argc > 3 ? argv[3] : "");
   } catch (const std::exception& error) {
     fmt::print(stderr, "growth_bench: {}\n", error.what());
     return 2;
