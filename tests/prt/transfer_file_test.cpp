@@ -132,6 +132,43 @@ TEST_F(TransferFile, IsRefusedWithASectionThatIsUnknownMissingOrOutOfPlace) {
             file_ + ": damaged transfer file: section albedo does not fit");
 }
 
+// A sparse file of some 30 GiB.
+TEST_F(TransferFile, TellsItsHeadWhereSectionsAreLargerThan4GiB) {
+  const Transfer small = small_transfer();
+  write_transfer(file_, small);
+  const std::string bytes = read_all(file_);
+  layout::Prologue prologue;
+  std::memcpy(&prologue, bytes.data(), sizeof prologue);
+  std::vector<layout::Section> table(prologue.sections);
+  std::memcpy(table.data(), bytes.data() + sizeof prologue, table.size() * sizeof(layout::Section));
+  const std::size_t at = sizeof prologue + table.size() * sizeof(layout::Section);
+  std::string header = bytes.substr(at, prologue.header_size);
+  constexpr std::uint64_t kMany = 400'000'000;
+  const std::string count = "\"vertices\": ";
+  header.replace(header.find(count), count.size() + 1, count + std::to_string(kMany));
+  header.resize((header.size() + 15) / 16 * 16, ' ');
+  prologue.header_size = header.size();
+  prologue.header_checksum = checksum(header.data(), header.size());
+  std::uint64_t end = at + header.size();
+  std::uint64_t largest = 0;
+  for (layout::Section& section : table) {
+    if (section.rows == small.mesh.positions.size() && section.type == layout::kFloat) section.rows = kMany;
+    section.offset = end;
+    end += bytes_of(section);
+    largest = std::max(largest, bytes_of(section));
+  }
+  ASSERT_GT(largest, std::uint64_t{1} << 32U);
+  prologue.file_size = end;
+  prologue.checksum = layout::front_checksum(prologue, table);
+  std::string front(reinterpret_cast<const char*>(&prologue), sizeof prologue);
+  front.append(reinterpret_cast<const char*>(table.data()), table.size() * sizeof(layout::Section));
+  write_all(file_, front + header);
+  std::filesystem::resize_file(file_, end);
+  EXPECT_EQ(read_transfer_head(file_).receivers, kMany);
+  std::filesystem::resize_file(file_, end - (std::uint64_t{1} << 32U));  // the same in 32 bits
+  EXPECT_THROW(read_transfer_head(file_), std::runtime_error);
+}
+
 TEST_F(TransferFile, IsRefusedWhenItsHeaderDoesNotFitItsSections) {
   write_transfer(file_, stored_transfer({Element::kByte, true, {0, 2}}));
   const std::string good = read_all(file_);
