@@ -111,7 +111,9 @@ Times measure(const Case& c) {
   return {t[0], std::min(t[1], t[2])};
 }
 
-std::size_t vertices_of(const TransferKind* kind, int degree) { return kFloats / kind->shape(degree).length(); }
+std::size_t vertices_of(const TransferKind* kind, int degree) {
+  return kFloats / std::max<std::size_t>(1, kind->shape(degree).length());
+}
 
 void targets(Table& table) {
   const std::size_t n = vertices_of(&kShadowed, 4);
@@ -195,7 +197,8 @@ void around(Table& table) {
   for (std::size_t v = 0; v < kReceivers; ++v) {
     constexpr std::size_t kRow = 316;
     const float x = 2.0F * static_cast<float>(v % kRow) / kRow - 1.0F;
-    const float y = 2.0F * static_cast<float>(v / kRow) / (kRow + 1) - 1.0F;
+    const std::size_t row = v / kRow;
+    const float y = 2.0F * static_cast<float>(row) / (kRow + 1) - 1.0F;
     positions[v] = {x, y, 0.3F * x * y - 0.2F};
     normals[v] = Eigen::Vector3f(-0.3F * y, -0.3F * x, 1.0F).normalized();
   }

@@ -41,9 +41,7 @@ void copy(const std::string& from, const std::string& to) {
   if (std::system(("cp " + from + " " + to + " && sync " + to).c_str()) != 0) std::abort();
 }
 
-}  // namespace
-
-int main() {
+void splats(sh::bench::Table& table) {
   const sh::test::TemporaryFolder folder;
   const std::string in = folder.file("in.ply");
   make_file(in);
@@ -55,11 +53,13 @@ int main() {
   const std::vector<double> t = sh::bench::least_times(
       {[&] { copy(in, folder.file("copy")); }, to(".ply", turn), to(".ply", {}), to(".glb", {}), to(".spz", {})},
       kPasses);
-  sh::bench::Table table;
   table.section("A million Gaussian splats of degree 3, 248 MB", "control: cp and sync of the .ply file");
   table.ratio("rotate .ply to .ply", "s", t[1], t[0], "cp", 1.5);
   table.ratio("convert .ply to .ply, nothing asked", "s", t[2], t[0], "cp", 1.5);
   table.ratio("convert .ply to .glb", "s", t[3], t[0], "cp", 2.0);
   table.ratio("convert .ply to .spz (gzip takes most of it)", "s", t[4], t[0], "cp", 20.0);
-  return table.summary() ? 0 : 1;
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return sh::bench::run_sections(argc, argv, {{"splats", splats}}); }

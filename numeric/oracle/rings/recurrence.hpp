@@ -104,7 +104,7 @@ Register start(const Column& column, const Pairs& pairs, std::size_t at) {
   const auto load = [at](const double* from) { return Lanes::load_unaligned(from + at); };
   const Lanes exponent = load(pairs.low.exponent) + load(pairs.high.exponent);
   Register r;
-  r.level = -xsimd::floor((Lanes(kLevel / 2) - exponent) * Lanes(1.0 / kLevel));
+  r.level = -xsimd::floor((Lanes(0.5 * kLevel) - exponent) * Lanes(1.0 / kLevel));
   const double first = column.start_mantissa / column.tables.odd[0];
   r.current = Lanes(first) * (load(pairs.low.mantissa) * load(pairs.high.mantissa)) *
               power_of_two(exponent - Lanes(kLevel) * r.level);
