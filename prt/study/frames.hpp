@@ -24,7 +24,7 @@ struct ShownFrame {
 /// Frames under one light, seen from one point of the world. A transfer of lower degree takes the first bands of the light.
 class Frames {
  public:
-  Frames(LightCoefficients light, const Eigen::Vector3d& eye) : light_(std::move(light)), eye_(eye) {}
+  Frames(LightCoefficients light, Eigen::Vector3d eye) : light_(std::move(light)), eye_(std::move(eye)) {}
 
   /// Light and view may change from frame to frame.
   [[nodiscard]] ShownFrame free(const Transfer& transfer) const;

@@ -125,7 +125,7 @@ void read_table(const std::string& file) {
   require(!table.rows.empty(), "a table has a row");
   check_table([&] {
     for (const auto& way : numeric::identify::read_samples(table, true)) {
-      require(way.columns.size() >= 1 && way.columns.front().size() == table.rows.size(), "every row has values");
+      require(!way.columns.empty() && way.columns.front().size() == table.rows.size(), "every row has values");
     }
   });
   check_table([&] {
