@@ -120,6 +120,16 @@ void* operator new(std::size_t bytes) {
   }
 }
 
+// The sanitizers have others of these two than the standard library, which calls those above and below.
+void* operator new(std::size_t bytes, const std::nothrow_t& /*tag*/) noexcept {
+  try {
+    return operator new(bytes);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+void operator delete(void* memory, const std::nothrow_t& /*tag*/) noexcept { operator delete(memory); }
+
 void operator delete(void* memory) noexcept {
   using namespace sh::prt;
   Scratch* const used = scratch.load(std::memory_order_relaxed);

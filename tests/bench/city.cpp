@@ -63,7 +63,8 @@ json copies(const std::string& model, const Eigen::AlignedBox3d& box, int count)
   json meshes = json::array();
   for (int i = 0; i < count; ++i) {
     const Eigen::Vector3d center = scale * box.center();
-    const Eigen::Vector3d at(i % side, i / side, scale * -box.min().z());
+    const int row = i / side;
+    const Eigen::Vector3d at(i % side, row, scale * -box.min().z());
     const double angle = 137.5 * i;
     const Eigen::Vector3d turned =
         Eigen::AngleAxisd(angle * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ()) * center;

@@ -125,7 +125,8 @@ template <class T>
 template <class T, class Evaluate>
 std::function<void()> at_normals(const float* normals, std::size_t n, float* out, const Evaluate& evaluate) {
   return [normals, n, out, evaluate] {
-    constexpr std::size_t kLanes = sizeof(T) / sizeof(float);
+    constexpr std::size_t kBytes = sizeof(T);
+    constexpr std::size_t kLanes = kBytes / sizeof(float);
     for (std::size_t i = 0; i < n / kLanes; ++i) {
       const T* const d = reinterpret_cast<const T*>(normals) + 3 * i;
       evaluate(d[0], d[1], d[2], reinterpret_cast<T*>(out) + 3 * i);

@@ -44,10 +44,11 @@ void transforms(Table& table) {
   table.section("Legendre transforms of all orders over degree + 1 rings, ns a degree, order and ring",
                 kHasSharp ? "control: libsharp without its Fourier transforms, one thread"
                           : "no control: libsharp is not installed");
-  for (const auto& [degree, synthesis, analysis] : kGoals) {
+  for (const Goal& goal : kGoals) {
+    const int degree = goal.degree;
     const Rings rings = gauss_rings(degree);
     const numeric::LegendreRings transform(degree, rings.z, rings.sine);
-    const auto terms = [degree = degree](int m) { return 2 * static_cast<std::size_t>(degree - m) + 2; };
+    const auto terms = [degree](int m) { return 2 * static_cast<std::size_t>(degree - m) + 2; };
     const std::vector<double> a(terms(0), 0.5);
     const std::size_t of_order = 2 * rings.z.size();
     std::vector<double> values((static_cast<std::size_t>(degree) + 1) * of_order), back(a.size());
@@ -71,8 +72,8 @@ void transforms(Table& table) {
     const double ns = 1e9 / (0.5 * (degree + 1) * (degree + 2) * static_cast<double>(rings.z.size()));
     const std::string what = ", degree " + std::to_string(degree);
     if (kHasSharp) {
-      table.ratio("synthesis" + what, "ns", t[0] * ns, t[1] * ns, "libsharp", synthesis);
-      table.ratio("analysis" + what, "ns", t[2] * ns, t[3] * ns, "libsharp", analysis);
+      table.ratio("synthesis" + what, "ns", t[0] * ns, t[1] * ns, "libsharp", goal.synthesis);
+      table.ratio("analysis" + what, "ns", t[2] * ns, t[3] * ns, "libsharp", goal.analysis);
     } else {
       table.remark("synthesis" + what + ": " + std::to_string(t[0] * ns));
       table.remark("analysis" + what + ": " + std::to_string(t[2] * ns));
