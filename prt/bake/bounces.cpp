@@ -174,7 +174,9 @@ BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::
   const bool is_in_krylov = kept && kept->phase == BounceState::Phase::kKrylov;
   if (options.solver != BounceSolver::kKrylov && !is_in_krylov) {
     report.solver = "series";
-    sum_series(system, options, kept ? kept->before : kInfinity, x, r);
+    double before = kInfinity;
+    if (kept) before = kept->before;
+    sum_series(system, options, before, x, r);
     if (system.is_solved() && report.applications > 1) {  // the last term is the residual up to the terms' roundings
       system.residual(b, x, r);
       system.certify(x, r);
