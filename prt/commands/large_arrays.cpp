@@ -88,8 +88,9 @@ class Scratch {
 
 // For operator new, which may be called before other objects exist and after they are gone.
 constinit std::atomic<Scratch*> scratch{nullptr};
-constexpr std::size_t kOnLargePages = std::size_t{4} << 20U;  // smaller arrays stay where others were
-constinit std::atomic<std::size_t> large_array{std::numeric_limits<std::size_t>::max()};
+
+constexpr std::size_t kInFiles = std::size_t{16} << 20U;      // bytes of arrays, from which on they are
+constexpr std::size_t kOnLargePages = std::size_t{4} << 20U;  // smaller ones stay where others were
 
 bool begins_page(void* memory) {
   constexpr std::uintptr_t kLeastPage = 4096;
@@ -98,17 +99,17 @@ bool begins_page(void* memory) {
 
 }  // namespace
 
-void use_scratch(const std::string& folder, std::size_t large) {
+void use_scratch(const std::string& folder) {
   if (scratch != nullptr) throw std::logic_error("use_scratch: expected one call");
   scratch = new Scratch(folder);
-  large_array = large;
 }
 
 }  // namespace sh::prt
 
 void* operator new(std::size_t bytes) {
   using namespace sh::prt;
-  if (bytes >= large_array.load(std::memory_order_relaxed)) return scratch.load()->map(bytes);
+  Scratch* const used = bytes >= kInFiles ? scratch.load() : nullptr;
+  if (used != nullptr) return used->map(bytes);
   while (true) {
     if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) {
       if (bytes >= kOnLargePages) ask_for_large_pages(memory, bytes);
