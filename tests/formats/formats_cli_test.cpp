@@ -21,7 +21,7 @@ class FormatsTool : public testing::Test {
     return folder.file(name);
   }
   std::string transfer_file() {
-    const std::string file = folder.file("a.transfer");
+    std::string file = folder.file("a.transfer");
     if (!std::filesystem::exists(file)) {
       const std::string scene =
           text_file("scene.json", R"({"meshes": [{"primitive": "plane"}], "bake": {"degree": 2, "directions": 64}})");

@@ -159,7 +159,7 @@ class LightFormats : public testing::Test {
   TemporaryFolder folder;
 
   std::string written(const std::string& name) {
-    const std::string file = folder.file("light" + std::string(formats::find_light_format(name)->ending));
+    std::string file = folder.file("light" + std::string(formats::find_light_format(name)->ending));
     write_all(file, bytes_of(name, light));
     return file;
   }

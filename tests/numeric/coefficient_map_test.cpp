@@ -75,7 +75,7 @@ TEST(CoefficientMaps, FoldAndHoldTheCosineInOppositeWays) {
   const auto folded = CoefficientMap(Convention{.folded = Folded::kCosine}, 2).to(c);
   const auto held = CoefficientMap(Convention{}, 2, Folded::kCosine).to(c);
   for (int l = 0; l <= 2; ++l) {
-    const double factor = clamped_cosine_factor<double>(l);
+    const auto factor = clamped_cosine_factor<double>(l);
     for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
       EXPECT_NEAR(folded[i], c[i] / factor, 1e-15);
       EXPECT_NEAR(held[i], c[i] * factor, 1e-15);
