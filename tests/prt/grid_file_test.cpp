@@ -79,7 +79,7 @@ TEST(PointGrid, SaysWhatIsWrongWithItsBoxAndCounts) {
 class GridFile : public testing::Test {
  protected:
   [[nodiscard]] std::string refusal(TransferKinds kinds = file_kinds()) const {
-    const std::string said = message_of([&] { read_transfer(file_, kinds); });
+    std::string said = message_of([&] { read_transfer(file_, kinds); });
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
     return said;
   }
@@ -93,7 +93,7 @@ class GridFile : public testing::Test {
     EXPECT_LE(to.size(), from.size());
     to.resize(from.size(), ' ');
     write_all(file_, with_checksums(bytes.replace(place, from.size(), to)));
-    const std::string said = refusal();
+    std::string said = refusal();
     write_all(file_, good);
     return said;
   }
@@ -144,7 +144,7 @@ TEST_F(GridFile, IsNotWrittenWithAGridThatDoesNotFit) {
   const auto refused = [&](const auto& change) {
     Transfer volume = small_volume();
     change(volume);
-    const std::string said = message_of([&] { write_transfer(file_, volume); });
+    std::string said = message_of([&] { write_transfer(file_, volume); });
     EXPECT_EQ(folder_.entries(), 0U) << said;
     return said;
   };

@@ -175,7 +175,7 @@ TEST(MediumVolume, OfACloudThatIsLitByTheSceneTakesWhatSurfacesSend) {
   const LitStage lit = lighting.at(poses_at(stage, 0.0), Eigen::Matrix3d::Identity());
   EXPECT_TRUE(lit.radiance(1, Eigen::Vector3d::Zero()).empty());
   // The sky from above, and from below what the ground reflects of it.
-  const double albedo = static_cast<double>(stage.objects.front().transfer->mesh.albedo[0].x());
+  const auto albedo = static_cast<double>(stage.objects.front().transfer->mesh.albedo[0].x());
   EXPECT_NEAR(lit.light(1).at(0, 0), 0.5 * kWhole * (1.0 + albedo), 0.03 * kWhole);
 }
 

@@ -37,7 +37,7 @@ TEST(Medium, OfAnAlbedoOfOneIsInvisibleUnderLightFromEverywhere) {
   for (const double anisotropy : {0.0, 0.6}) {
     const Transfer transfer =
         bake_medium(scene_of(uneven({5, 4, 6}, 0.5, 2.0F, 3), Eigen::Vector3f::Ones(), anisotropy), kAllMemory);
-    const Eigen::Vector3f radiance(0.5F, 1.0F, 2.0F);
+    Eigen::Vector3f radiance(0.5F, 1.0F, 2.0F);
     const std::vector<float> sent = scattered_light(transfer, constant_light(radiance.cast<double>(), 2));
     const LitMedium medium(*transfer.grid, transfer.density, sent);
     const Camera camera{{-3.0, -4.0, 2.0}, {1.0, 1.0, 1.2}, {0.0, 0.0, 1.0}, 40.0F};

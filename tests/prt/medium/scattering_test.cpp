@@ -93,7 +93,7 @@ TEST(VoxelPath, IntegratesTheTrilinearDensity) {
     double sum = 0.0;
     for (std::size_t v = 0; v < density.size(); ++v) {
       const Counts place = density.place(v);
-      double tent = double(density.values[v]);
+      auto tent = double(density.values[v]);
       for (int a = 0; a < 3; ++a) tent *= std::max(0.0, 1.0 - std::abs(p[a] - place[std::size_t(a)]));
       sum += tent;
     }
