@@ -180,6 +180,7 @@ Transfer run_by_channel(const BakeJob& job, const std::shared_ptr<Tracer>& trace
 std::shared_ptr<Tracer> prepare(BakeJob& job, const BakeObserver& say) {
   constexpr double kWorthSaying = 2.0;  // seconds
   if (!traces_here(job.scene, job.settings) || (!say && !job.budget)) return {};
+  if (!job.settings.checkpoint.shard.is_whole()) return {};  // each shard would measure the same again
   const BakeEstimate estimate = estimate_bake(job);
   if (say && estimate.seconds() >= kWorthSaying) {
     say(fmt::format("about {:.2g} s, {:.0f} MiB: {:.3g} million rays{}", estimate.seconds(),

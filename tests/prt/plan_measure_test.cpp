@@ -145,13 +145,14 @@ TEST(Rehearsal, GathersTheLightOfTheCoarseBakes) {
   const Eigen::MatrixXd factors = form_factors(mesh, asked);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     for (std::size_t k = 0; k < 12; ++k) {
-      double sum = static_cast<double>(direct.row(wanted[i])[k % 4]);
+      auto sum = static_cast<double>(direct.row(wanted[i])[k % 4]);
       for (std::size_t u = 0; u < mesh.positions.size(); ++u) {
-        const double x = static_cast<double>(rehearsal.coarse(0)[12 * u + k]);
-        const double y = static_cast<double>(rehearsal.coarse(1)[12 * u + k]);
+        const auto x = static_cast<double>(rehearsal.coarse(0)[12 * u + k]);
+        const auto y = static_cast<double>(rehearsal.coarse(1)[12 * u + k]);
         sum += factors(wanted[i], static_cast<Eigen::Index>(u)) * 0.5 * (x + y);
       }
-      const double albedo = 0.25 * static_cast<double>(1 + k / 4);
+      const std::size_t channel = k / 4;
+      const double albedo = 0.25 * static_cast<double>(1 + channel);
       EXPECT_NEAR(static_cast<double>(rows[12 * i + k]), albedo * sum, 1e-5) << wanted[i] << " " << k;
     }
   }
