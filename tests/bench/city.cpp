@@ -6,10 +6,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
@@ -96,11 +98,10 @@ std::size_t write_city(const std::string& file, double receivers) {
 }
 
 std::size_t write_copies(const std::string& file, const std::string& model, double receivers) {
-  const prt::Mesh one = written(file, {{"meshes", {{{"file", std::filesystem::absolute(model)}}}}});
-  const std::vector<Eigen::Vector3d> points = prt::points_of(one);
+  const std::string path = std::filesystem::absolute(model).string();
+  const std::vector<Eigen::Vector3d> points = prt::points_of(written(file, {{"meshes", {{{"file", path}}}}}));
   const double count = std::max(1.0, std::round(receivers / static_cast<double>(points.size())));
-  return written(file, copies(std::filesystem::absolute(model), prt::bounding_box(points), static_cast<int>(count)))
-      .positions.size();
+  return written(file, copies(path, prt::bounding_box(points), static_cast<int>(count))).positions.size();
 }
 
 Cost run(const std::vector<std::string>& words) {

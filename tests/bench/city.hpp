@@ -1,4 +1,5 @@
-// Scenes of any size, a generated city and copies of a model, and commands on it in processes of their own, so that memory is theirs.
+// Scenes of any size, a generated city and copies of a model, and commands in processes of their own, so that memory is
+// theirs.
 #pragma once
 #include <cstddef>
 #include <string>

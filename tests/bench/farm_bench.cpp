@@ -1,5 +1,5 @@
 // Bakes that several processes share, of a city of farm_bench [RECEIVERS], 100,000 by default: the processor time of shards
-// against that of one bake, the merge against copying its files, bounces on two ranks of MPI against one process, and the
+// against that of one bake, the merge against copying its files, bounces on ranks of MPI against one process, and the
 // memory that a receiver takes. Every command is a process of its own, `prt` of the same build. Takes minutes. Exit 1 if a
 // target is missed.
 #include <algorithm>

@@ -62,11 +62,9 @@ void measure(const std::string& picture, double most, const std::string& model) 
   }
   fmt::print("{:>10} {:<30} {:>8} {:>12} {:>8} {:>10} {:>10}\n", "receivers", "bake", "s", "us/receiver", "MiB",
              "B/receiver", "B in file");
-  std::size_t before = 0;
-  for (double wanted = kFewest; wanted <= most * 1.01; wanted *= std::cbrt(10.0)) {
+  const double fewest = model.empty() ? kFewest : static_cast<double>(write_copies(scene, model, 1.0));
+  for (double wanted = fewest; wanted <= most * 1.01; wanted *= std::cbrt(10.0)) {
     const std::size_t receivers = model.empty() ? write_city(scene, wanted) : write_copies(scene, model, wanted);
-    if (receivers == before) continue;  // one copy already has more
-    before = receivers;
     const auto count = static_cast<double>(receivers);
     for (std::size_t k = 0; k < kBakes.size(); ++k) {
       if (is_too_much(chart.series[2 * k].points, count, sh::prt::memory_of_machine() / 1048576.0)) continue;

@@ -99,27 +99,30 @@ TEST_F(TransferFile, KeepsLightOfItsOwnAndMirrorsWholeHoweverCoefficientsAreStor
   }
 }
 
-// The file with its section table and its JSON header changed, and its checksums made good.
-std::string changed(std::string bytes, const std::function<void(std::vector<layout::Section>&, std::string&)>& change) {
+// The file with its prologue, section table and JSON header changed, and its checksums made good.
+using Change = std::function<void(layout::Prologue&, std::vector<layout::Section>&, std::string&)>;
+std::string changed(std::string bytes, const Change& change) {
   layout::Prologue prologue;
   std::memcpy(&prologue, bytes.data(), sizeof prologue);
   std::vector<layout::Section> table(prologue.sections);
   const std::size_t size = table.size() * sizeof(layout::Section);
   std::memcpy(table.data(), bytes.data() + sizeof prologue, size);
   std::string header = bytes.substr(sizeof prologue + size, prologue.header_size);
-  change(table, header);
+  const std::size_t before = header.size();
+  change(prologue, table, header);
+  prologue.header_size = header.size();
   prologue.header_checksum = checksum(header.data(), header.size());
   prologue.checksum = layout::front_checksum(prologue, table);
   std::memcpy(bytes.data(), &prologue, sizeof prologue);
   std::memcpy(bytes.data() + sizeof prologue, table.data(), size);
-  return bytes.replace(sizeof prologue + size, header.size(), header);
+  return bytes.replace(sizeof prologue + size, before, header);
 }
 
 TEST_F(TransferFile, IsRefusedWithASectionThatIsUnknownMissingOrOutOfPlace) {
   write_transfer(file_, small_transfer());
   const std::string good = read_all(file_);
   const auto refusal_with = [&](const std::function<void(std::vector<layout::Section>&)>& change) {
-    write_all(file_, changed(good, [&](auto& table, auto&) { change(table); }));
+    write_all(file_, changed(good, [&](auto&, auto& table, auto&) { change(table); }));
     return refusal();
   };
   EXPECT_EQ(refusal_with([](auto& table) { table[3].name = layout::padded("aroma\n"); }),
@@ -136,33 +139,23 @@ TEST_F(TransferFile, IsRefusedWithASectionThatIsUnknownMissingOrOutOfPlace) {
 TEST_F(TransferFile, TellsItsHeadWhereSectionsAreLargerThan4GiB) {
   const Transfer small = small_transfer();
   write_transfer(file_, small);
-  const std::string bytes = read_all(file_);
-  layout::Prologue prologue;
-  std::memcpy(&prologue, bytes.data(), sizeof prologue);
-  std::vector<layout::Section> table(prologue.sections);
-  std::memcpy(table.data(), bytes.data() + sizeof prologue, table.size() * sizeof(layout::Section));
-  const std::size_t at = sizeof prologue + table.size() * sizeof(layout::Section);
-  std::string header = bytes.substr(at, prologue.header_size);
   constexpr std::uint64_t kMany = 400'000'000;
-  const std::string count = "\"vertices\": ";
-  header.replace(header.find(count), count.size() + 1, count + std::to_string(kMany));
-  header.resize((header.size() + 15) / 16 * 16, ' ');
-  prologue.header_size = header.size();
-  prologue.header_checksum = checksum(header.data(), header.size());
-  std::uint64_t end = at + header.size();
+  std::uint64_t end = 0;
   std::uint64_t largest = 0;
-  for (layout::Section& section : table) {
-    if (section.rows == small.mesh.positions.size() && section.type == layout::kFloat) section.rows = kMany;
-    section.offset = end;
-    end += bytes_of(section);
-    largest = std::max(largest, bytes_of(section));
-  }
+  write_all(file_, changed(read_all(file_), [&](layout::Prologue& prologue, auto& table, std::string& header) {
+              const std::string count = "\"vertices\": ";
+              header.replace(header.find(count), count.size() + 1, count + std::to_string(kMany));
+              header.resize((header.size() + 15) / 16 * 16, ' ');
+              end = sizeof prologue + table.size() * sizeof(layout::Section) + header.size();
+              for (layout::Section& section : table) {
+                if (section.rows == small.mesh.positions.size() && section.type == layout::kFloat) section.rows = kMany;
+                section.offset = end;
+                end += bytes_of(section);
+                largest = std::max(largest, bytes_of(section));
+              }
+              prologue.file_size = end;
+            }));
   ASSERT_GT(largest, std::uint64_t{1} << 32U);
-  prologue.file_size = end;
-  prologue.checksum = layout::front_checksum(prologue, table);
-  std::string front(reinterpret_cast<const char*>(&prologue), sizeof prologue);
-  front.append(reinterpret_cast<const char*>(table.data()), table.size() * sizeof(layout::Section));
-  write_all(file_, front + header);
   std::filesystem::resize_file(file_, end);
   EXPECT_EQ(read_transfer_head(file_).receivers, kMany);
   std::filesystem::resize_file(file_, end - (std::uint64_t{1} << 32U));  // the same in 32 bits
@@ -173,7 +166,7 @@ TEST_F(TransferFile, IsRefusedWhenItsHeaderDoesNotFitItsSections) {
   write_transfer(file_, stored_transfer({Element::kByte, true, {0, 2}}));
   const std::string good = read_all(file_);
   const auto refusal_with = [&](const std::string& from, const std::string& to) {
-    write_all(file_, changed(good, [&](auto&, std::string& h) { h.replace(h.find(from), from.size(), to); }));
+    write_all(file_, changed(good, [&](auto&, auto&, std::string& h) { h.replace(h.find(from), from.size(), to); }));
     return refusal();
   };
   EXPECT_NE(refusal_with("\"byte\"", "\"half\"").find("does not fit"), std::string::npos);
@@ -307,7 +300,7 @@ TEST_F(TransferFile, IsRefusedWithAFrameThatIsNoPlaceOrNoLength) {
   const std::string good = read_all(file_);
   const auto refusal_with = [&](const std::string& from, std::string to) {
     to.resize(from.size(), ' ');
-    write_all(file_, changed(good, [&](auto&, std::string& h) { h.replace(h.find(from), from.size(), to); }));
+    write_all(file_, changed(good, [&](auto&, auto&, std::string& h) { h.replace(h.find(from), from.size(), to); }));
     return refusal();
   };
   const std::string reason = file_ + ": transfer file whose frame has an origin or a unit that is no length";
