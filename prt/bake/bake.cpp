@@ -320,13 +320,15 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
   return transfer;
 }
 
+void require_shard(const Shard& shard) {
+  if (!shard.is_whole() && shard.count <= kMostShards && shard.index < shard.count) return;
+  throw std::invalid_argument(
+      fmt::format("shard {} of {}: expected one of 2 to {}", shard.index + 1, shard.count, kMostShards));
+}
+
 void bake_shard(BakeJob job, BakeReport* report, const BakeObserver& say) {
-  const Shard& shard = job.settings.checkpoint.shard;
   const Scene& scene = job.scene;
-  if (shard.is_whole() || shard.count > kMostShards || shard.index >= shard.count) {
-    throw std::invalid_argument(
-        fmt::format("shard {} of {}: expected one of 2 to {}", shard.index + 1, shard.count, kMostShards));
-  }
+  require_shard(job.settings.checkpoint.shard);
   if (!scene.bake.kind->traces_rays()) {
     throw std::invalid_argument(
         fmt::format("{}: {} traces no rays, which shards share; expected another kind, or no shard", scene.name,

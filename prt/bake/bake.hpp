@@ -32,6 +32,9 @@ struct Shard {
 /// The most shards of a bake.
 inline constexpr std::uint32_t kMostShards = 65536;
 
+/// Throws std::invalid_argument unless it is one of 2 to kMostShards.
+void require_shard(const Shard& shard);
+
 /// The file in which a stopped bake leaves its results, so that it can continue from there.
 struct CheckpointSettings {
   std::string path;      // empty: none

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "numeric/output/progress.hpp"
-#include "prt/bake/estimate.hpp"
 #include "prt/bake/fill_closed.hpp"
 #include "prt/bake/sent_to_points.hpp"
 #include "prt/bake/shadow_box.hpp"
@@ -186,33 +185,50 @@ std::uint64_t reflect(const Scene& scene, const BakeOptions& bake, const BakeSet
   return report.rays + setup.tracer.rays();
 }
 
-// The whole sphere at every point, then what the rays find.
-void trace(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings, Transfer& volume,
-           VolumeReport& report) {
+BakeOptions bake_of(const VolumeOptions& options) {
+  return {.degree = options.degree,
+          .directions = options.directions,
+          .sampler = options.sampler,
+          .seed = options.seed,
+          .kind = &kNeighborhood};
+}
+
+// A mirror blocks rays as any surface does.
+Scene without_mirrors(const Scene& scene) {
   Scene blocking = scene;
-  blocking.mesh.mirror.clear();  // a mirror blocks rays as any surface does
-  const BakeOptions bake{.degree = options.degree,
-                         .directions = options.directions,
-                         .sampler = options.sampler,
-                         .seed = options.seed,
-                         .kind = &kNeighborhood};
-  const RaySetup setup(blocking.mesh, bake, volume.shape, starts_of(*volume.grid, scene.mesh.frame), settings.threads,
-                       settings.instruction_set);
-  volume.instruction_set = setup.tracer.instruction_set();
-  const std::size_t length = volume.shape.length();
-  volume.coefficients.assign(volume.receivers() * length, 0.0F);
+  blocking.mesh.mirror.clear();
+  return blocking;
+}
+
+// The whole sphere at every point.
+void open_all(Transfer& volume) {
+  volume.coefficients.assign(volume.receivers() * volume.shape.length(), 0.0F);
   for (std::size_t p = 0; p < volume.receivers(); ++p) {
     volume.row(p)[0] = static_cast<float>(std::sqrt(4.0 * std::numbers::pi));
   }
+}
+
+// Takes away what the rays find to be blocked.
+void trace(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings, Transfer& volume,
+           VolumeReport& report) {
+  const Scene blocking = without_mirrors(scene);
+  const BakeOptions bake = bake_of(options);
+  volume.instruction_set = choose_instruction_set(settings.instruction_set);
+  open_all(volume);
   ShadowResult result{volume, std::vector<Sight>(volume.receivers()), nullptr};
   Checkpoint checkpoint(settings.checkpoint, key_of(blocking, bake, volume), result);
-  try {
-    ShadowPass(setup, {}, result).run(checkpoint);
-  } catch (const output::Interrupted&) {
-    throw output::Interrupted(checkpoint.interrupted());
+  if (settings.checkpoint.parts.empty()) {
+    const RaySetup setup(blocking.mesh, bake, volume.shape, starts_of(*volume.grid, scene.mesh.frame), settings.threads,
+                         settings.instruction_set);
+    try {
+      ShadowPass(setup, {}, result).run(checkpoint);
+    } catch (const output::Interrupted&) {
+      throw output::Interrupted(checkpoint.interrupted());
+    }
+    report.bake.rays = setup.tracer.rays();
+    report.bake.checkpoint = settings.checkpoint.path;
   }
-  report.bake.rays = setup.tracer.rays();
-  report.bake.checkpoint = settings.checkpoint.path;
+  if (!settings.checkpoint.shard.is_whole()) return;  // the checkpoint is the result
   if (options.reflects) report.bake.rays += reflect(scene, bake, settings, volume);
   report.inside = fill_inside(result.sight, volume);
   report.border = blocked_at_border(volume);
@@ -255,12 +271,33 @@ Transfer bake_volume(const Scene& scene, const VolumeOptions& options, const Bak
   if (settings.threads < 0) {
     throw std::invalid_argument(fmt::format("threads: expected 0 (every core) or more, got {}", settings.threads));
   }
-  Transfer volume = empty_volume(scene, options, say);
+  const bool traces = settings.checkpoint.parts.empty();
+  Transfer volume = empty_volume(scene, options, traces ? say : BakeObserver());
   VolumeReport measured;
   on_threads(settings.threads, [&] { trace(scene, options, settings, volume, measured); });
   volume.shape.storage.element = options.element;
   if (report != nullptr) *report = measured;
   return volume;
+}
+
+void bake_volume_shard(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings,
+                       VolumeReport* report, const BakeObserver& say) {
+  require_shard(settings.checkpoint.shard);
+  bake_volume(scene, options, settings, report, say);
+}
+
+BakeEstimate estimate_volume(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings) {
+  Transfer volume = empty_volume(scene, options, {});
+  const Scene blocking = without_mirrors(scene);
+  const output::Stopwatch stopwatch;
+  const RaySetup setup(blocking.mesh, bake_of(options), volume.shape, starts_of(*volume.grid, scene.mesh.frame),
+                       settings.threads, settings.instruction_set);
+  BakeEstimate estimate;
+  estimate.setup_seconds = stopwatch.seconds();
+  open_all(volume);
+  ShadowResult result{volume, std::vector<Sight>(volume.receivers()), nullptr};
+  on_threads(settings.threads, [&] { estimate_pass(setup, {}, settings.threads, result, estimate); });
+  return estimate;
 }
 
 Transfer bake_volume_to_file(const std::string& file, const Scene& scene, const VolumeOptions& options,

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "prt/bake/bake.hpp"
+#include "prt/bake/estimate.hpp"
 #include "prt/transfer/point_grid.hpp"
 
 namespace sh::prt {
@@ -57,6 +58,14 @@ struct VolumeReport {
 /// like bake() for the rest: progress, interruption, checkpoint.
 Transfer bake_volume(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings,
                      VolumeReport* report = nullptr, const BakeObserver& say = {});
+
+/// Traces the rays of the shard that the settings name into their checkpoint, which then is complete. The bake of all parts
+/// traces no rays but those of what the object sends. Throws like bake_volume, and std::invalid_argument for a shard out of range.
+void bake_volume_shard(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings,
+                       VolumeReport* report = nullptr, const BakeObserver& say = {});
+
+/// The time and memory of the rays, without those of what the object sends. Throws like empty_volume.
+BakeEstimate estimate_volume(const Scene& scene, const VolumeOptions& options, const BakeSettings& settings);
 
 /// Bakes into a transfer file, then deletes the checkpoint.
 Transfer bake_volume_to_file(const std::string& file, const Scene& scene, const VolumeOptions& options,

@@ -120,7 +120,7 @@ std::string to_json(const CheckpointSettings& settings) {
 }
 
 [[noreturn]] void refuse_part(const std::string& file) {
-  throw std::runtime_error(fmt::format("{}: no part of a bake; expected a file that `prt bake --shard` made", file));
+  throw std::runtime_error(fmt::format("{}: no part of a bake; expected a part that `--shard` made", file));
 }
 
 ShardRecord record_from(const std::string& file, std::string_view data) {

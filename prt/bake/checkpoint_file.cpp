@@ -99,7 +99,7 @@ CheckpointFile::CheckpointFile(CheckpointFile&& other) noexcept
       is_read_only_(other.is_read_only_) {}
 
 CheckpointFile CheckpointFile::of_any_bake(std::string path) {
-  constexpr const char* kNone = "no part of a bake; expected a file that `prt bake --shard` made";
+  constexpr const char* kNone = "no part of a bake; expected a part that `--shard` made";
   CheckpointFile file(std::move(path));
   file.descriptor_ = open(file.path_.c_str(), O_RDONLY | O_CLOEXEC);
   if (file.descriptor_ < 0) file.fail(fmt::format("cannot open: {}", std::strerror(errno)));

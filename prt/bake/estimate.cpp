@@ -119,26 +119,34 @@ BakeEstimate estimate_rays(const BakeJob& job) {
   estimate.tracer = setup.shared;
   estimate.setup_seconds = stopwatch.seconds();
   const std::size_t vertices = scene.mesh.positions.size();
-  std::vector<std::uint32_t> samples = spread_vertices(vertices, setup.directions.size(), open, estimate.vertices);
   Transfer transfer;
   transfer.shape = scene.bake.kind->traced_shape(scene.bake.degree);
   transfer.coefficients = unshadowed_transfer(transfer.shape, scene.mesh);
   const bool bounces = scene.bake.kind->has_form_factors();
   FormFactors factors(bounces ? vertices : 0);
   ShadowResult result{transfer, std::vector<Sight>(vertices), bounces ? &factors : nullptr};
-  const ShadowPass::Sampled sampled = ShadowPass(setup, open, result).sample(samples, kSampleSeconds);
-  samples.resize(sampled.vertices);
+  const std::vector<std::uint32_t> samples = estimate_pass(setup, open, settings.threads, result, estimate);
   if (samples.empty()) return estimate;
-  const double scale = static_cast<double>(estimate.vertices) / static_cast<double>(samples.size());
-  estimate.pass_seconds = sampled.seconds * scale;
-  estimate.rays = static_cast<double>(setup.tracer.rays()) * scale;
-  estimate.bytes = resident_memory() + setup.directions.size() * kBytesADirection * thread_count(settings.threads);
   if (scene.bake.kind->indirect != nullptr) estimate.bytes += glossy_bounce_bytes(scene.mesh, scene.bake.degree);
   if (bounces) estimate_bounces(job, factors, samples, estimate);
   return estimate;
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> estimate_pass(const RaySetup& setup, const std::vector<std::uint8_t>& open, int threads,
+                                         ShadowResult& result, BakeEstimate& estimate) {
+  std::vector<std::uint32_t> samples =
+      spread_vertices(result.sight.size(), setup.directions.size(), open, estimate.vertices);
+  const ShadowPass::Sampled sampled = ShadowPass(setup, open, result).sample(samples, kSampleSeconds);
+  samples.resize(sampled.vertices);
+  if (samples.empty()) return samples;
+  const double scale = static_cast<double>(estimate.vertices) / static_cast<double>(samples.size());
+  estimate.pass_seconds = sampled.seconds * scale;
+  estimate.rays = static_cast<double>(setup.tracer.rays()) * scale;
+  estimate.bytes = resident_memory() + setup.directions.size() * kBytesADirection * thread_count(threads);
+  return samples;
+}
 
 BakeEstimate estimate_bake(const BakeJob& job) {
   BakeEstimate estimate;

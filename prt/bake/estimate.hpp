@@ -3,9 +3,13 @@
 // resulting file is valid for every vertex and states what was reduced.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "prt/bake/bake.hpp"
+#include "prt/bake/checkpoint.hpp"
+#include "prt/bake/row_tracer.hpp"
 #include "prt/rays/tracer.hpp"
 
 namespace sh::prt {
@@ -25,6 +29,10 @@ struct BakeEstimate {
 
 /// Takes about a twentieth of a second plus the time of the setup. Throws like bake() for options out of range.
 BakeEstimate estimate_bake(const BakeJob& job);
+
+/// Traces some receivers that need rays, and tells from them the time and memory of all. Returns those that were traced.
+std::vector<std::uint32_t> estimate_pass(const RaySetup& setup, const std::vector<std::uint8_t>& open, int threads,
+                                         ShadowResult& result, BakeEstimate& estimate);
 
 inline constexpr int kLeastDirections = 64;  // coarser than this is of no use
 

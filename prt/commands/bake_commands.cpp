@@ -4,18 +4,15 @@
 #include <malloc.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 
 #include "numeric/output/atomic_file.hpp"
 #include "prt/bake/bake.hpp"
-#include "prt/bake/bounce_checkpoint.hpp"
-#include "prt/bake/checkpoint.hpp"
 #include "prt/bake/estimate.hpp"
 #include "prt/commands/commands.hpp"
 #include "prt/commands/medium_commands.hpp"
-#include "prt/commands/mpi_ranks.hpp"
 #include "prt/commands/scene_options.hpp"
+#include "prt/commands/shared_rays.hpp"
 #include "prt/mesh/mesh_checksum.hpp"
 #include "prt/plan/plan_file.hpp"
 #include "prt/runtime/fixed_view.hpp"
@@ -32,12 +29,9 @@ struct BakeCommand : SceneOptions {
   std::string instruction_set;
   std::size_t bounce_memory = 4096;  // MiB
   bool strict = false;
-  CheckpointOptions checkpoint;
+  SharedOptions rays;
   bool only_estimate = false;
   std::optional<double> budget_seconds;
-  std::string shard;                 // I/N; empty: the whole bake
-  std::vector<std::string> parts;    // of all shards
-  std::vector<std::string> command;  // the words of a command line that bakes the whole, without -o
   Ranks ranks;
 };
 
@@ -46,44 +40,10 @@ struct PlanCommand : SceneOptions {
   bool json = false;
 };
 
-struct MergeCommand {
-  std::vector<std::string> parts;
-  std::string output;
-  int threads = 0;
-};
-
-// I/N, from 1 on.
-Shard shard_named(const std::string& text) {
-  Shard shard;
-  const char* const end = text.data() + text.size();
-  const auto index = std::from_chars(text.data(), end, shard.index);
-  const bool is_pair = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
-  const auto count = is_pair ? std::from_chars(index.ptr + 1, end, shard.count) : index;
-  if (!is_pair || count.ec != std::errc() || count.ptr != end || shard.count < 2 || shard.count > kMostShards ||
-      shard.index < 1 || shard.index > shard.count) {
-    throw std::invalid_argument(
-        fmt::format("--shard {}: expected I/N, with N from 2 to {} and I from 1 to N", text, kMostShards));
-  }
-  --shard.index;
-  return shard;
-}
-
 CheckpointSettings checkpoint_of(const BakeCommand& options) {
-  if (!options.shard.empty()) {
-    return {.path = options.output,
-            .restart = options.checkpoint.restart,
-            .seconds = options.checkpoint.seconds,
-            .shard = shard_named(options.shard),
-            .command = options.command};
-  }
-  if (!options.parts.empty()) {
-    const bool is_special =
-        std::filesystem::exists(options.output) && !std::filesystem::is_regular_file(options.output);
-    return {.path = {}, .parts = options.parts, .bounces = is_special ? std::string() : bounces_beside(options.output)};
-  }
-  CheckpointOptions checkpoint = options.checkpoint;
-  checkpoint.none = checkpoint.none || options.budget_seconds || options.only_estimate;
-  return checkpoint.settings(options.output);
+  SharedOptions shared = options.rays;
+  shared.none = shared.none || options.budget_seconds || options.only_estimate;
+  return shared.settings(options.output);
 }
 
 constexpr double kLittleOfALobe = 0.9;
@@ -171,15 +131,10 @@ void require_vectors(const BakeCommand& options, const Scene& scene) {
 
 void require_medium_options(const BakeCommand& options, const std::string& name) {
   std::vector<std::string> given = options.given();
-  const std::pair<bool, const char*> own[] = {{!options.vectors.empty(), "--vectors"},
-                                              {!options.instruction_set.empty(), "--instruction-set"},
-                                              {!options.checkpoint.file.empty(), "--checkpoint"},
-                                              {options.checkpoint.restart, "--restart"},
-                                              {!options.shard.empty(), "--shard"},
-                                              {options.budget_seconds.has_value(), "--budget-seconds"}};
-  for (const auto& [is_given, option] : own) {
-    if (is_given) given.emplace_back(option);
-  }
+  for (const std::string& option : options.rays.given()) given.push_back(option);
+  if (!options.vectors.empty()) given.emplace_back("--vectors");
+  if (!options.instruction_set.empty()) given.emplace_back("--instruction-set");
+  if (options.budget_seconds) given.emplace_back("--budget-seconds");
   for (const std::string& option : given) {
     if (option == "--degree" || option == "--directions") continue;
     throw std::invalid_argument(fmt::format(
@@ -199,7 +154,7 @@ void run_shard(const BakeCommand& options, BakeJob job, const Stopwatch& stopwat
   BakeReport report;
   bake_shard(std::move(job), &report, say);
   report_time(stopwatch,
-              fmt::format("traced {} rays of shard {}, into {}", report.rays, options.shard, options.output));
+              fmt::format("traced {} rays of shard {}, into {}", report.rays, options.rays.shard, options.output));
 }
 
 void run_bake(const BakeCommand& options) {
@@ -217,7 +172,7 @@ void run_bake(const BakeCommand& options) {
   malloc_trim(0);  // what loading freed, which the allocator keeps otherwise
   output::require_no_input(options.output, scene.files);
   output::require_no_input(options.output, {settings.plan_file});
-  output::require_no_input(options.output, options.parts);
+  output::require_no_input(options.output, options.rays.parts);
   if (scene.medium) return run_medium_bake(options, std::move(scene));
   if (!scene.mesh.translucence.empty()) {
     report_flaw(settings.on_flaw,
@@ -231,7 +186,7 @@ void run_bake(const BakeCommand& options) {
   if (options.only_estimate) return print_estimate(planned(std::move(job)));
   if (options.budget_seconds) job.budget = BakeBudget{*options.budget_seconds, stopwatch};
   BakeReport report;
-  if (!options.shard.empty()) return run_shard(options, std::move(job), stopwatch);
+  if (!options.rays.shard.empty()) return run_shard(options, std::move(job), stopwatch);
   const Transfer transfer = bake_to_file(options.output, std::move(job), &report, say);
   if (!options.ranks.is_first()) return;
   report_bake(transfer, report);
@@ -258,35 +213,7 @@ void run_plan(const PlanCommand& options) {
   report_time(stopwatch, options.output.empty() ? "planned" : fmt::format("planned, into {}", options.output));
 }
 
-void add_bake_to(CLI::App& tool, const Ranks& ranks);
-
-// Bakes with the options that the parts name.
-void merge(const MergeCommand& options, const Ranks& ranks) {
-  require_output(options.output);
-  const std::vector<std::string> words = shard_of_part(options.parts.front()).command;
-  const auto is_ours = [](const std::string& word) {
-    return word.starts_with("--output") || word.starts_with("-o") || word.starts_with("--vectors") ||
-           word.starts_with("--checkpoint") || word.starts_with("--parts") || word.starts_with("--shard");
-  };
-  if (words.size() < 2 || words.front() != "bake" || std::any_of(words.begin(), words.end(), is_ours)) {
-    throw std::runtime_error(
-        fmt::format("{}: damaged: its command is no bake of a whole scene", options.parts.front()));
-  }
-  std::vector<std::string> line(words.rbegin(), words.rend());  // the parser takes them from the end
-  const std::string threads = fmt::format("--threads={}", options.threads);
-  for (const std::string& word : {std::string("-o"), options.output, threads, std::string("--parts")}) {
-    line.insert(line.begin(), word);
-  }
-  for (const std::string& part : options.parts) line.insert(line.begin(), part);
-  CLI::App tool;
-  tool.option_defaults()->always_capture_default();
-  add_bake_to(tool, ranks);
-  tool.parse(std::move(line));
-}
-
-void run_merge(const MergeCommand& options) {
-  run_as_ranks([&](const Ranks& ranks) { merge(options, ranks); });
-}
+}  // namespace
 
 void add_bake_to(CLI::App& tool, const Ranks& ranks) {
   auto options = std::make_shared<BakeCommand>();
@@ -305,41 +232,20 @@ void add_bake_to(CLI::App& tool, const Ranks& ranks) {
   command.add_option("--instruction-set", options->instruction_set,
                      "instruction set for rays: sse4.2, avx, avx2 or avx512; results are reproducible on each");
   command.add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");
-  CLI::Option* checkpoint = options->checkpoint.add_to(command);
+  options->rays.add_to(command);
   CLI::Option* budget =
       command
           .add_option("--budget-seconds", options->budget_seconds,
                       "finish in about this time, with fewer directions and a looser tolerance; the file states both")
-          ->check(CLI::Range(0.0, 1e9))
-          ->excludes(checkpoint);
-  CLI::Option* shard = command.add_option(
-      "--shard", options->shard, "I/N: trace the I-th of N parts of the rays into the output, for `prt merge`");
-  shard->excludes(budget)->excludes(checkpoint)->excludes("--no-checkpoint")->excludes("--estimate");
-  shard->excludes("--vectors");
-  command
-      .add_option("--parts", options->parts, "the parts of all shards, in place of tracing (`prt merge` gives them)")
-      ->default_str("")
-      ->excludes(shard)
-      ->excludes(budget)
-      ->excludes(checkpoint);
+          ->check(CLI::Range(0.0, 1e9));
+  for (const char* other : {"--checkpoint", "--shard", "--parts"}) budget->excludes(other);
+  for (const char* other : {"--estimate", "--vectors"}) command.get_option("--shard")->excludes(other);
   command.add_option("--threads", options->threads, "number of threads; 0: every core; the file does not depend on it");
   command.callback([options, &command] {
     if (options->output.empty() && !options->only_estimate) throw CLI::RequiredError("--output");
-    options->command =
-        words_without(command, {"--shard", "--output", "--threads", "--restart", "--checkpoint-seconds", "--scratch"});
+    options->rays.command = words_for_parts(command);
     with_threads(options->threads, [&] { run_bake(*options); });
   });
-}
-
-}  // namespace
-
-void add_merge_command(CLI::App& tool) {
-  auto options = std::make_shared<MergeCommand>();
-  CLI::App& command =
-      *tool.add_subcommand("merge", "make the transfer file of a bake from the parts that `prt bake --shard` made");
-  command.add_option("PARTS", options->parts, "the parts of all shards, in any order")->required();
-  command.add_option("-o,--output", options->output, "transfer file to write")->required();
-  run_with_threads<MergeCommand>(command, options, run_merge, "; the file does not depend on it");
 }
 
 void add_bake_command(CLI::App& tool) { add_bake_to(tool, {}); }

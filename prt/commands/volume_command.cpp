@@ -4,7 +4,9 @@
 #include "numeric/output/atomic_file.hpp"
 #include "prt/bake/bake_volume.hpp"
 #include "prt/bake/estimate.hpp"
-#include "prt/commands/commands.hpp"
+#include "prt/commands/scene_options.hpp"
+#include "prt/commands/shard_jobs.hpp"
+#include "prt/commands/shared_rays.hpp"
 #include "prt/medium/medium_volume.hpp"
 #include "prt/say.hpp"
 #include "prt/transfer/transfer_file.hpp"
@@ -23,7 +25,9 @@ struct VolumeCommand {
   std::size_t memory = 0;  // MiB; 0: the machine's
   std::string instruction_set;
   bool strict = false;
-  CheckpointOptions checkpoint;
+  SharedOptions rays;
+  JobOptions job;                  // its count is 0: bake here
+  std::vector<std::string> words;  // of a command that makes the whole
   int threads = 0;
 };
 
@@ -56,17 +60,15 @@ void report_volume(const Transfer& volume, const VolumeReport& report) {
 
 // A medium is not traced by the ray tracer, and is quick enough to begin again.
 void require_medium_options(const VolumeCommand& command, const std::string& name) {
-  for (const auto& [is_given, option] : {std::pair(!command.instruction_set.empty(), "--instruction-set"),
-                                         std::pair(!command.checkpoint.file.empty(), "--checkpoint"),
-                                         std::pair(command.checkpoint.restart, "--restart")}) {
-    if (!is_given) continue;
-    throw std::invalid_argument(
-        fmt::format("{}: {}: is for meshes; this scene has a medium: expected no such option", name, option));
-  }
+  std::vector<std::string> given = command.rays.given();
+  if (!command.instruction_set.empty()) given.emplace_back("--instruction-set");
+  if (command.job.count > 0) given.emplace_back("--shards");
+  if (given.empty()) return;
+  throw std::invalid_argument(
+      fmt::format("{}: {}: is for meshes; this scene has a medium: expected no such option", name, given.front()));
 }
 
 Transfer medium_volume_to_file(const VolumeCommand& command, const Scene& scene, VolumeReport& report) {
-  require_medium_options(command, scene.name);
   Transfer volume = bake_medium_volume(scene, volume_options(command), say);
   report.border = blocked_at_border(volume);
   report.bake.rays = volume.receivers() * static_cast<std::size_t>(command.volume.directions);
@@ -80,11 +82,22 @@ void run_volume(const VolumeCommand& command) {
   const BakeSettings settings{.threads = command.threads,
                               .instruction_set = command.instruction_set,
                               .on_flaw = on_flaw(command.strict),
-                              .checkpoint = command.checkpoint.settings(command.output)};
+                              .checkpoint = command.rays.settings(command.output)};
   const Scene scene = load_scene(command.scene, settings.on_flaw);
+  if (scene.medium) require_medium_options(command, scene.name);
   output::require_no_input(command.output, scene.files);
   output::require_no_input(settings.checkpoint.path, scene.files);
+  output::require_no_input(command.output, command.rays.parts);
+  if (command.job.count > 0) {
+    return print_jobs(command.job, command.words, command.output,
+                      estimate_volume(scene, volume_options(command), settings));
+  }
   VolumeReport report;
+  if (!command.rays.shard.empty()) {
+    bake_volume_shard(scene, volume_options(command), settings, &report, say);
+    return report_time(stopwatch, fmt::format("traced {} rays of shard {}, into {}", report.bake.rays,
+                                              command.rays.shard, command.output));
+  }
   const Transfer volume =
       scene.medium ? medium_volume_to_file(command, scene, report)
                    : bake_volume_to_file(command.output, scene, volume_options(command), settings, &report, say);
@@ -131,8 +144,18 @@ void add_volume_command(CLI::App& tool) {
   command.add_flag("--reflected", options->volume.reflects,
                    "also bake what the object reflects to the points, mirrors and all bounces included: matrices");
   command.add_flag("--strict", options->strict, "refuse meshes that would otherwise be mended with a warning");
-  options->checkpoint.add_to(command);
-  run_with_threads<VolumeCommand>(command, options, run_volume, "; the file does not depend on it");
+  options->rays.add_to(command);
+  CLI::Option* const shards = options->job.add_to(command, "--shards");
+  shards->description("print the commands that share the rays among so many processes, and stop");
+  for (const char* other : {"--shard", "--parts", "--checkpoint", "--no-checkpoint", "--restart"}) {
+    shards->excludes(other);
+  }
+  command.add_option("--threads", options->threads, "number of threads; 0: every core; the file does not depend on it");
+  command.callback([options, &command] {
+    options->rays.command = words_for_parts(command);
+    options->words = words_without(command, {"--shards", "--for", "--output", "--threads", "--price"});
+    with_threads(options->threads, [&] { run_volume(*options); });
+  });
 }
 
 }  // namespace sh::prt

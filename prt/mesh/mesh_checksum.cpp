@@ -15,6 +15,18 @@ std::string sum_of_all(const Vectors&... vectors) {
   return checksum_text(checksum(parts.data(), sizeof parts));
 }
 
+// The maps and faces of nodes, which tell what copies rays find.
+std::vector<double> numbers_of(const std::vector<MeshNode>& nodes) {
+  std::vector<double> numbers;
+  for (const MeshNode& node : nodes) {
+    const Eigen::Matrix<double, 3, 4> map = node.to_world.affine();
+    numbers.insert(numbers.end(), map.data(), map.data() + map.size());
+    numbers.push_back(static_cast<double>(node.faces.size()));
+    for (const auto& run : node.faces) numbers.insert(numbers.end(), run.begin(), run.end());
+  }
+  return numbers;
+}
+
 }  // namespace
 
 // A new member of Mesh does not compile here until somebody decides what depends on it.
@@ -24,10 +36,11 @@ MeshChecksums checksums_of(const Mesh& mesh) {
                                 brdfs, normal_maps, albedo_maps, translucences, atlases, nodes, halving, reach, frame] =
       mesh;
   const std::vector<double> place = {frame.origin.x(), frame.origin.y(), frame.origin.z(), frame.unit};
-  return {sum_of_all(positions, normals, geometric_normals, mirror, faces, atlases.reach),
+  const std::vector<double> copies = numbers_of(nodes);
+  return {sum_of_all(positions, normals, geometric_normals, mirror, faces, atlases.reach, copies),
           sum_of_all(positions, normals, geometric_normals, albedo, emission, mirror, specular, exponent, brdf, texture,
                      normal_map, albedo_map, tint, chart, atlas, faces, brdfs.rows, normal_maps.texels,
-                     albedo_maps.bytes, atlases.reach, place)};
+                     albedo_maps.bytes, atlases.reach, place, copies)};
 }
 
 }  // namespace sh::prt

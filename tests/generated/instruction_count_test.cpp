@@ -22,6 +22,7 @@ struct Case {
   std::string scalar;
   int degree = 0;
   long records = 0;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads a defaulted <=>
   auto operator<=>(const Case&) const = default;
 };
 std::ostream& operator<<(std::ostream& out, const Case& c) {

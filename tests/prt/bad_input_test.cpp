@@ -172,7 +172,7 @@ TEST_F(BadInput, AMessageIsOneLineWhateverItQuotes) {
   write_all(scene, R"({"a\nb": 1, "meshes": [{"file": "box.obj"}]})");
   expect_untouched({"plan", scene}, R"(/a\x0ab: unknown key)");
   write_all(scene, R"({"meshes": [{"file": "x\ny.obj"}]})");
-  expect_untouched({"plan", scene}, "a string without control characters, got \"x\\ny.obj\"");
+  expect_untouched({"plan", scene}, R"(a string without control characters, got "x\ny.obj")");
   write_all(scene, R"({"meshes": [{"file": "box.obj", "materials": {"\u001b[2J": {"albedo": 3}}}]})");
   expect_untouched({"plan", scene}, R"(/materials/\x1b[2J/albedo: expected)");
   expect_untouched({"info", folder.file("x\ny")}, R"(x\x0ay)");

@@ -41,7 +41,7 @@ class BrdfOfScenes : public testing::Test {
     return load_scene(folder_.file("scene.json"), OnFlaw::kRefuse).mesh;
   }
   std::string refusal(const std::string& mesh) {
-    const std::string said = message_of([&] { load("{\"primitive\": \"box\", " + mesh + "}"); });
+    const std::string said = message_of([&] { load(R"({"primitive": "box", )" + mesh + "}"); });
     EXPECT_EQ(said.find('\n'), std::string::npos);
     const std::string before = folder_.file("scene.json") + ": /meshes/0";
     EXPECT_EQ(said.find(before), 0U) << said;
@@ -124,9 +124,8 @@ TEST(BrdfBake, OfDiffuseMeasurementsIsThatOfTheAlbedo) {
   write_brdf(folder.file("clay.binary"), diffuse_brdf({0.8, 0.5, 0.2}));
   const Mesh plain = finished(hollow_sphere(8, 0.3F), {0.8F, 0.5F, 0.2F}, Eigen::Vector3f::Zero(), 0.0F);
   const auto measured = [&] {
-    Mesh mesh = plain;
     write_all(folder.file("scene.json"), R"({"meshes": [{"primitive": "box", "brdf": "clay.binary"}]})");
-    return with_brdf(mesh, load_scene(folder.file("scene.json"), OnFlaw::kRefuse).mesh.brdfs.at(0));
+    return with_brdf(plain, load_scene(folder.file("scene.json"), OnFlaw::kRefuse).mesh.brdfs.at(0));
   }();
   for (const TransferKind* kind : {&kGlossyUnshadowed, &kGlossyShadowed, &kGlossyInterreflected}) {
     const LightCoefficients light = constant_light(4);

@@ -228,7 +228,7 @@ TEST_F(CheckpointBytes, ThatAreOnlyReadStayAsTheyAre) {
     EXPECT_EQ(read_all(path_), bytes);
     return message;
   };
-  const std::string none = "no part of a bake; expected a file that `prt bake --shard` made";
+  const std::string none = "no part of a bake; expected a part that `--shard` made";
   EXPECT_EQ(said(path_), "cannot open: No such file or directory");
   EXPECT_EQ(said(folder_.path().string()), none);
   EXPECT_EQ(of("text that is no part of a bake"), none);

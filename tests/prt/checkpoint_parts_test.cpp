@@ -332,7 +332,7 @@ TEST_F(CheckpointShards, OfDifferentOrNoBakesAreRefused) {
   EXPECT_EQ(refusal({first}, R"({"degree":2})"),
             first + ": part of another bake: its degree is 1, here it is 2; expected the parts of one bake");
   write({0});  // the checkpoint of a bake that is not shared
-  const std::string none = ": no part of a bake; expected a file that `prt bake --shard` made";
+  const std::string none = ": no part of a bake; expected a part that `--shard` made";
   EXPECT_EQ(refusal({path_}), path_ + none);
   EXPECT_EQ(message_of([&] { static_cast<void>(shard_of_part(path_)); }), path_ + none);
 }

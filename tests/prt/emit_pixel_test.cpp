@@ -60,12 +60,13 @@ Mesh sheets() {
     for (int row = 0; row <= kRows; ++row) {
       for (int column = 0; column <= kColumns / 2; ++column) {
         const double depth = 4.0 + static_cast<double>(number());
-        const Eigen::Vector3d along = window.direction((sheet * kColumns / 2 + column) * kCellWidth, row * kCellHeight);
-        mesh.positions.push_back((kEye + depth * along).cast<float>());
+        const int cell = sheet * kColumns / 2 + column;
+        const Eigen::Vector3d along = window.direction(cell * kCellWidth, row * kCellHeight);
+        mesh.positions.emplace_back((kEye + depth * along).cast<float>());
         const Eigen::Vector3f normal =
             (Eigen::Vector3f(number(), number(), number()) - along.cast<float>().normalized()).normalized();
         mesh.normals.push_back(normal);
-        mesh.albedo.push_back(Eigen::Vector3f(number(), number(), number()).cwiseAbs());
+        mesh.albedo.emplace_back(Eigen::Vector3f(number(), number(), number()).cwiseAbs());
       }
     }
     constexpr std::uint32_t kAcross = kColumns / 2 + 1;
@@ -88,7 +89,7 @@ constexpr std::size_t kSheet = (kColumns / 2 + 1) * (kRows + 1);  // vertices
 // A lobe for each sheet.
 void polish(Mesh& mesh) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    mesh.specular.push_back(0.5F * mesh.albedo[v].reverse());
+    mesh.specular.emplace_back(0.5F * mesh.albedo[v].reverse());
     mesh.exponent.push_back(v < kSheet ? 7.0F : 60.0F);
   }
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {  // one reflectance a face, too
@@ -131,7 +132,8 @@ Mesh dented(Mesh mesh) {
   const std::vector<float> random = random_values(2 * mesh.positions.size(), 3);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const auto column = static_cast<float>(v % kSheet % 3);
-    const auto row = static_cast<float>(v % kSheet / 3);
+    const std::size_t third = v % kSheet / 3;
+    const auto row = static_cast<float>(third);
     const float turned = column < 2.0F ? column : 0.2F;  // the second column of cells mirrors the picture
     mesh.texture.emplace_back(0.4F * turned - 0.3F + 0.05F * random[2 * v],
                               0.5F * row - 0.7F + 0.05F * random[2 * v + 1]);

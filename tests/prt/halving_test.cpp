@@ -277,7 +277,7 @@ TEST(Halving, LeavesRaysTheHitsOfTheMesh) {
     std::vector<Eigen::Vector3f> origins;
     std::vector<Eigen::Vector3f> directions;
     for (int k = 0; k < 4000; ++k) {
-      origins.push_back(3.0F * Eigen::Vector3f(number(engine), number(engine), number(engine)).normalized());
+      origins.emplace_back(3.0F * Eigen::Vector3f(number(engine), number(engine), number(engine)).normalized());
       const Eigen::Vector3f target = 0.6F * Eigen::Vector3f(number(engine), number(engine), number(engine));
       directions.push_back((target - origins.back()).normalized());
     }

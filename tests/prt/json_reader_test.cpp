@@ -26,7 +26,7 @@ double below(double value) { return std::nextafter(value, -kInfinity); }
 template <class Read>
 std::string refusal(const json& value, const Read& read) {
   const std::string file = "a.json";
-  const std::string said = message_of([&] { read(JsonReader(file, value)); });
+  std::string said = message_of([&] { read(JsonReader(file, value)); });
   if (said.empty()) return said;
   EXPECT_EQ(said.rfind("a.json: ", 0), 0U) << said;
   return said.substr(8);

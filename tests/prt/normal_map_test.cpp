@@ -189,7 +189,7 @@ TEST(ShadingNormals, AreMirroredWhereCoordinatesAreWithoutASeam) {
   for (const double x : {-1.0, 0.0, 1.0}) {
     for (const double y : {0.0, 1.0}) {
       soup.positions.emplace_back(x, y, 0.0);
-      soup.normals.push_back(Eigen::Vector3f::UnitZ());
+      soup.normals.emplace_back(Eigen::Vector3f::UnitZ());
       soup.albedo.emplace_back(0.5F, 0.5F, 0.5F);
       soup.texture.emplace_back(std::abs(x), y);
     }
@@ -389,7 +389,7 @@ TEST_F(MapOfScene, OfAModelIsLeftOutWithAWarningWhereItCannotBeShown) {
   const nlohmann::json material = {{"normalTexture", {{"index", 0}}}};
   const auto said = [&](const Textures& textures, const std::string& kind) {
     write_all(folder_.file("a.gltf"), square_with(material, textures));
-    return refusal(R"("file": "a.gltf")", "\"transfer\": \"" + kind + "\"");
+    return refusal(R"("file": "a.gltf")", R"("transfer": ")" + kind + "\"");
   };
   output::write_png(folder_.file("n.png"), 1, 1, std::vector<std::uint8_t>{204, 128, 230});
   testing::internal::CaptureStderr();
@@ -413,7 +413,7 @@ TEST_F(MapOfScene, OfAModelIsLeftOutWithAWarningWhereItCannotBeShown) {
 TEST_F(MapOfScene, NeedsAGlossyKind) {
   picture("a.exr", one_color(kFlat));
   for (const std::string kind : {"unshadowed", "shadowed", "interreflected"}) {
-    EXPECT_EQ(refusal(R"("primitive": "plane", "normal_map": "a.exr")", "\"transfer\": \"" + kind + "\""),
+    EXPECT_EQ(refusal(R"("primitive": "plane", "normal_map": "a.exr")", R"("transfer": ")" + kind + "\""),
               "scene.json: /meshes/0/normal_map: " + kind +
                   " holds the cosine about the normals of vertices, which a normal map cannot turn; expected "
                   "glossy_unshadowed, glossy_shadowed or glossy_interreflected, or no normal map");

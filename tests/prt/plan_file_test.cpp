@@ -189,6 +189,7 @@ TEST(MeshChecksums, TellEveryChangeAndWhetherRaysSeeIt) {
   for (auto* values : {&mesh.texture, &mesh.chart}) values->assign(count, Eigen::Vector2f::Zero());
   for (auto* values : {&mesh.brdf, &mesh.normal_map, &mesh.albedo_map, &mesh.atlas}) values->assign(count, 0);
   mesh.exponent.assign(count, 0.0F);
+  mesh.nodes = {{"box", "", Eigen::Affine3d::Identity(), {{0, 2}, {4, 2}}}};
   const MeshChecksums whole = checksums_of(mesh);
   EXPECT_EQ(whole.rays.size(), 16U);
   EXPECT_EQ(whole.whole.size(), 16U);
@@ -202,6 +203,10 @@ TEST(MeshChecksums, TellEveryChangeAndWhetherRaysSeeIt) {
   expect_told("positions", true, [&](Mesh& m) { longer(m.positions.back()); });
   expect_told("normals", true, [&](Mesh& m) { longer(m.normals.back()); });
   expect_told("geometric normals", true, [&](Mesh& m) { longer(m.geometric_normals.back()); });
+  expect_told("the map of a node", true, [](Mesh& m) { m.nodes.back().to_world.translate(Eigen::Vector3d::UnitX()); });
+  expect_told("the faces of a node", true, [](Mesh& m) { m.nodes.back().faces.back()[1] = 3; });
+  expect_told("the runs of a node", true, [](Mesh& m) { m.nodes.back().faces.pop_back(); });
+  expect_told("the nodes", true, [](Mesh& m) { m.nodes.clear(); });
   expect_told("mirror", true, [](Mesh& m) { m.mirror.back().x() = 0.5F; });
   expect_told("faces", true, [](Mesh& m) { std::swap(m.faces.back()[0], m.faces.back()[1]); });
   expect_told("reach of texels", true, [](Mesh& m) { m.atlases.reach[0] = 2.0F; });

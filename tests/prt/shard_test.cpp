@@ -184,8 +184,8 @@ TEST_F(Shards, OfNoBakeAreRefused) {
   write_all(folder_.file("text"), "no part at all");
   write_all(folder_.file("empty"), "");
   for (const std::string& name : {folder_.file("text"), folder_.file("empty"), folder_.file(""), file_}) {
-    expect_no_merge({files[0], name}, "expected a file that `prt bake --shard` made");
-    expect_no_merge({name, files[0]}, "expected a file that `prt bake --shard` made");
+    expect_no_merge({files[0], name}, "expected a part that `--shard` made");
+    expect_no_merge({name, files[0]}, "expected a part that `--shard` made");
   }
   expect_no_merge({folder_.file("none")}, "cannot open: No such file or directory");
   signal_prt(bake({"--kind", "shadowed", "--directions", "4096", "--checkpoint-seconds", "0", "--checkpoint",
@@ -193,7 +193,7 @@ TEST_F(Shards, OfNoBakeAreRefused) {
                   folder_.file("x")),
              SIGKILL, [&] { return std::filesystem::exists(folder_.file("whole")); });
   if (std::filesystem::exists(folder_.file("whole"))) {
-    expect_no_merge({folder_.file("whole")}, "expected a file that `prt bake --shard` made");
+    expect_no_merge({folder_.file("whole")}, "expected a part that `--shard` made");
   }
 }
 
@@ -240,7 +240,7 @@ TEST_F(Shards, WithACommandOfTheirOwnMakingRunNothingElse) {
   std::string changed = bytes;
   changed.replace(changed.find("\"bake\""), 6, "\"view\"");  // its record then fails its checksum
   write_all(files[0], changed);
-  expect_no_merge(files, "expected a file that `prt bake --shard` made");
+  expect_no_merge(files, "expected a part that `--shard` made");
 }
 
 // What a shell makes of a text, run with the tool's folder in front of the path.
@@ -305,7 +305,7 @@ TEST_F(Shards, AreTheCommandsThatAreTold) {
   EXPECT_GT(hours, 0.0);
   EXPECT_NEAR(cost, 3600.0 * hours, 0.01 * cost);
   expect_refused({"shards", file_, "-n", "2", "-o", named, "--price", "-1"}, "--price");
-  expect_refused({"shards", file_, "-n", "1", "-o", named}, "--count 1: expected 2 to");
+  expect_refused({"shards", file_, "-n", "1", "-o", named}, "--count: Value 1 not in range 2 to");
   expect_refused({"shards", file_, "-n", "2", "-o", named, "--kind", "unshadowed"}, "traces no rays");
 }
 

@@ -110,7 +110,9 @@ TEST(SharpLayer, RefusesWhatItCannotHold) {
   for (std::size_t v = 0; v < mesh.exponent.size(); ++v) mesh.exponent[v] = static_cast<float>(v);
   EXPECT_NE(message_of([&] { SharpLayer(sky, 4, mesh); }).find("more than 64 different exponents"), std::string::npos);
   const SkyRadiance bad = [](const Eigen::Vector3d& s) {
-    return Eigen::Vector3f::Constant(s.z() > 0.99 ? std::numeric_limits<float>::infinity() : 1.0F).eval();
+    constexpr float kInfinite = std::numeric_limits<float>::infinity();
+    const Eigen::Vector3f radiance = Eigen::Vector3f::Ones();
+    return s.z() > 0.99 ? Eigen::Vector3f::Constant(kInfinite).eval() : radiance;
   };
   EXPECT_NE(message_of([&] { SharpLayer(bad, 4, ball(9.0F)); }).find("expected finite radiance"), std::string::npos);
 }

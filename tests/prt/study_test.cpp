@@ -203,7 +203,8 @@ TEST_F(DiscStudy, SeesStorageCostWhatItRounds) {
 TEST_F(DiscStudy, SeesFewerReceiversCostLessWhereAPlanChoosesThem) {
   const StudyPart& part = part_called(*study, "receivers");
   ASSERT_EQ(part.series.size(), 2U);
-  const auto& [edges, plans] = std::tie(part.series[0].points, part.series[1].points);
+  const std::vector<StudyPoint>& edges = part.series[0].points;
+  const std::vector<StudyPoint>& plans = part.series[1].points;
   for (std::size_t i = 1; i < edges.size(); ++i) {
     EXPECT_LE(edges[i].at, edges[i - 1].at);
     EXPECT_GE(edges[i].error.rms, edges[i - 1].error.rms * 0.99);
@@ -317,7 +318,9 @@ TEST(CompareTool, SaysHowMuchAndWhereTwoBakesDiffer) {
 
 TEST(StudyTool, LeavesFinishedFilesWhereItIsInterrupted) {
   const TemporaryFolder folder;
-  const Finished run = interrupt_prt({"study", "demo", "--out", folder.file("x")}, 400);
+  std::filesystem::create_directory(folder.file("x"));
+  const Finished run = signal_prt({"study", "demo", "--out", folder.file("x")}, SIGINT,
+                                  [&] { return !std::filesystem::is_empty(folder.file("x")); });
   EXPECT_EQ(run.status, 130) << run.err;
   for (const std::string& name : files_in(folder.file("x"))) {
     EXPECT_TRUE(name.ends_with(".svg") || name.ends_with(".json") || name.ends_with(".png")) << name;

@@ -31,7 +31,7 @@ TEST(ViewTool, WritesOnePageThatAsksForNothing) {
   EXPECT_EQ(count_of("</script>", page), 2U) << "no text ends a script early";
   EXPECT_EQ(count_of("http", page), 0U);
   EXPECT_EQ(count_of("\nimport ", page) + count_of("\nexport ", page), 0U);
-  for (const char* part : {"rotate_l3", "evaluate_rgb_l6", "transfer_prepare_l3", "\"name\":\"a <b>.transfer\""}) {
+  for (const char* part : {"rotate_l3", "evaluate_rgb_l6", "transfer_prepare_l3", R"("name":"a <b>.transfer")"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
 }

@@ -266,7 +266,7 @@ TEST(SplatGlb, RefusesNodesThatStretchOrMirror) {
 std::string unzipped(const std::string& bytes) {
   const TemporaryFolder folder;
   write_all(folder.file("a.gz"), bytes);
-  const gzFile file = gzopen(folder.file("a.gz").c_str(), "rb");
+  gzFile file = gzopen(folder.file("a.gz").c_str(), "rb");
   std::string all;
   std::array<char, 4096> part;
   for (int got = 1; got > 0;) {

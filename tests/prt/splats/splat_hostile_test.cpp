@@ -268,7 +268,7 @@ TEST(HostileSplats, GlbNumbersOutOfRange) {
 
 std::string gzipped(const std::string& bytes) {
   const TemporaryFolder folder;
-  const gzFile file = gzopen(folder.file("a").c_str(), "wb");
+  gzFile file = gzopen(folder.file("a").c_str(), "wb");
   EXPECT_EQ(gzwrite(file, bytes.data(), static_cast<unsigned>(bytes.size())), static_cast<int>(bytes.size()));
   gzclose(file);
   return read_all(folder.file("a"));
