@@ -64,6 +64,23 @@ void set_product(Form& result, const Form& a, const Form& b) {
   }
 }
 
+// Adds terms whose monomials the sum has already; false, and nothing is done, where one is missing.
+template <class Widened>
+bool add_in_place(Terms& sum, const Terms& a, const Widened& widened) {
+  if (a.size() > sum.size()) return false;
+  auto place = sum.begin();
+  for (const Form::Term& term : a) {
+    while (place != sum.end() && place->monomial < term.monomial) ++place;
+    if (place == sum.end() || place->monomial != term.monomial) return false;
+  }
+  place = sum.begin();
+  for (const Form::Term& term : a) {
+    while (place->monomial != term.monomial) ++place;
+    place->factor = place->factor + widened(term.factor);
+  }
+  return true;
+}
+
 void accumulate(Form& sum, const Form& a, bool with_zeros) {
   const auto widened = [with_zeros](Interval x) { return with_zeros ? with_zero(x) : x; };
   if (sum.terms.empty()) {
@@ -71,7 +88,8 @@ void accumulate(Form& sum, const Form& a, bool with_zeros) {
     for (Form::Term& term : sum.terms) term.factor = widened(term.factor);
     return;
   }
-  Terms merged;
+  if (add_in_place(sum.terms, a.terms, widened)) return;
+  static thread_local Terms merged;  // keeps its memory
   merge(
       merged, sum.terms, a.terms, [&](Interval x, Interval y) { return x + widened(y); }, widened);
   sum.terms.swap(merged);

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <numeric>
 #include <stdexcept>
 
 #include "codegen/bound/stated.hpp"
 #include "codegen/choose/records.hpp"
 #include "codegen/choose/wisdom.hpp"
+#include "codegen/output/processes.hpp"
 #include "codegen/print/batch.hpp"
 #include "codegen/print/files.hpp"
 #include "symbolic/number/find_named.hpp"
@@ -168,84 +171,154 @@ FinishedKernel preferred_kernel(const Family& family, int degree, Prefer prefer)
 
 namespace {
 
+// A part of the files. Text alone, which passes between processes.
+struct Rendered {
+  std::map<std::string, std::string> files;
+  std::string nearest;               // nearest_point() of the family
+  std::vector<ManifestRow> rows;     // of one degree of it
+  std::vector<std::string> records;  // the same
+};
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rendered, files, nearest, rows, records)
+
+Rendered render_degree(const Family& family, int degree) {
+  Rendered rendered;
+  const std::vector<FinishedKernel> all = finish_all(family, degree);
+  FinishedKernel written = choose(all, Prefer::kSpeed);
+  FinishedKernel accurate = choose(all, Prefer::kAccuracy);
+  const bool worthwhile = accurate.in_float.rounding.eps < kWorthwhile * all.front().in_float.rounding.eps;
+  bound::state_errors(written);
+  rendered.nearest = nearest_point(written.kernel.parameters);
+  rendered.records.push_back(kernel_record(written));
+  if (worthwhile) {
+    bound::state_errors(accurate);
+    rendered.records.push_back(kernel_record(accurate));
+  }
+  for (const FinishedKernel& candidate : all) {
+    const std::string& recipe = candidate.kernel.recipe;
+    ManifestEntry entry{candidate, {}, committed_wisdom().find(family.name, degree, recipe)};
+    if (recipe == written.kernel.recipe) add_files(rendered.files, written, entry);
+    if (worthwhile && recipe == accurate.kernel.recipe) add_files(rendered.files, accurate, entry);
+    rendered.rows.push_back(manifest_row(entry));
+  }
+  return rendered;
+}
+
+// The kernels of a family that are written, without passes and errors.
+std::vector<FinishedKernel> written_kernels(const Family& family) {
+  std::vector<FinishedKernel> kernels;
+  for (int degree = 0; degree <= family.largest_written; ++degree) {
+    const std::vector<Recipe> serving = recipes_for(family, degree);
+    if (!serving.empty()) kernels.push_back({recipe_kernel(family, serving.front(), degree), {}, {}, {}, {}});
+  }
+  return kernels;
+}
+
+std::vector<print::WrittenFamily> written_families(const std::vector<const Family*>& families) {
+  std::vector<print::WrittenFamily> written;
+  for (const Family* family : families) written.push_back({family->name, family->batch, written_kernels(*family)});
+  return written;
+}
+
+// The files of whole families, which need no kernel's errors.
+std::map<std::string, std::string> family_files(const std::vector<print::WrittenFamily>& families) {
+  std::map<std::string, std::string> files;
+  for (const print::WrittenFamily& family : families) {
+    for (const Language& language : languages()) {
+      if (language.print_family == nullptr) continue;
+      files[language.name + "/" + family.name + language.suffix] = language.print_family(family.kernels);
+    }
+  }
+  return files;
+}
+
+std::vector<const Family*> pointers_to(const std::vector<Family>& families) {
+  std::vector<const Family*> pointers;
+  pointers.reserve(families.size());
+  for (const Family& family : families) pointers.push_back(&family);
+  return pointers;
+}
+
 struct Rendering {
   std::map<std::string, std::string> files;
-  std::vector<ManifestEntry> manifest;
-  std::vector<print::WrittenFamily> written;
+  std::vector<ManifestRow> rows;
   std::vector<RecordedFamily> record;
 };
 
-void render_family(const Family& family, const std::function<void(const std::string&)>& progress,
-                   Rendering& rendering) {
-  rendering.written.push_back({family.name, family.batch, {}});
-  std::vector<FinishedKernel>& written = rendering.written.back().kernels;
-  std::vector<FinishedKernel>& recorded = rendering.record.emplace_back(RecordedFamily{&family, {}}).kernels;
-  for (int degree = 0; degree <= family.largest_written; ++degree) {
-    const std::vector<FinishedKernel> all = finish_all(family, degree);
-    if (all.empty()) continue;
-    written.push_back(choose(all, Prefer::kSpeed));
-    progress(written.back().kernel.name);
-    FinishedKernel accurate = choose(all, Prefer::kAccuracy);
-    const bool worthwhile = accurate.in_float.rounding.eps < kWorthwhile * all.front().in_float.rounding.eps;
-    bound::state_errors(written.back());
-    recorded.push_back(written.back());
-    if (worthwhile) {
-      bound::state_errors(accurate);
-      recorded.push_back(accurate);
-    }
-    for (const FinishedKernel& candidate : all) {
-      const std::string& recipe = candidate.kernel.recipe;
-      ManifestEntry entry{candidate, {}, committed_wisdom().find(family.name, degree, recipe)};
-      if (recipe == written.back().kernel.recipe) add_files(rendering.files, written.back(), entry);
-      if (worthwhile && recipe == accurate.kernel.recipe) add_files(rendering.files, accurate, entry);
-      rendering.manifest.push_back(entry);
+// In as many processes as there are cores. The highest degrees come first, since they take longest.
+Rendering render(const std::vector<const Family*>& families, bool with_batch,
+                 const std::function<void(const std::string&)>& progress) {
+  struct Piece {
+    std::size_t family;
+    int degree;
+  };
+  std::vector<Piece> pieces;
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    for (int degree = 0; degree <= families[f]->largest_written; ++degree) {
+      if (!recipes_for(*families[f], degree).empty()) pieces.push_back({f, degree});
     }
   }
-  for (const Language& language : languages()) {
-    if (language.print_family == nullptr) continue;
-    rendering.files[language.name + "/" + family.name + language.suffix] = language.print_family(written);
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.degree > b.degree; });
+  const auto render_families = [&] {
+    const std::vector<print::WrittenFamily> written = written_families(families);
+    Rendered part{family_files(written), {}, {}, {}};
+    if (with_batch) part.files.merge(print::batch_files(written));
+    return part;
+  };
+  std::vector<std::map<int, Rendered>> degrees(families.size());
+  Rendering rendering;
+  in_processes(
+      pieces.size() + 1, core_count(),
+      [&](std::size_t i) {
+        if (i == 0) return nlohmann::json(render_families()).dump();
+        return nlohmann::json(render_degree(*families[pieces[i - 1].family], pieces[i - 1].degree)).dump();
+      },
+      [&](std::size_t i, const std::string& text) {
+        auto part = nlohmann::json::parse(text).get<Rendered>();
+        rendering.files.merge(part.files);
+        if (i == 0) return;
+        const Piece& piece = pieces[i - 1];
+        progress(families[piece.family]->name + "_l" + std::to_string(piece.degree));
+        degrees[piece.family][piece.degree] = std::move(part);
+      });
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    RecordedFamily& recorded = rendering.record.emplace_back(RecordedFamily{families[f], {}, {}});
+    for (auto& [degree, part] : degrees[f]) {
+      recorded.nearest = part.nearest;
+      recorded.kernels.insert(recorded.kernels.end(), part.records.begin(), part.records.end());
+      rendering.rows.insert(rendering.rows.end(), part.rows.begin(), part.rows.end());
+    }
   }
+  return rendering;
 }
 
 }  // namespace
 
 std::map<std::string, std::string> render_batch() {
-  std::vector<print::WrittenFamily> written;
-  for (const Family& family : families()) {
-    std::vector<FinishedKernel>& kernels =
-        written.emplace_back(print::WrittenFamily{family.name, family.batch, {}}).kernels;
-    for (int degree = 0; degree <= family.largest_written; ++degree) {
-      const std::vector<Recipe> serving = recipes_for(family, degree);
-      if (!serving.empty()) kernels.push_back({recipe_kernel(family, serving.front(), degree), {}, {}, {}, {}});
-    }
-  }
-  return print::batch_files(written);
+  return print::batch_files(written_families(pointers_to(families())));
 }
 
 std::map<std::string, std::string> render_all(const std::function<void(const std::string&)>& progress,
                                               const std::vector<Family>& families) {
-  Rendering rendering;
-  for (const Family& family : families) render_family(family, progress, rendering);
-  rendering.files.merge(print::batch_files(rendering.written));
+  Rendering rendering = render(pointers_to(families), true, progress);
   rendering.files["families.json"] = print_families_record(rendering.record);
-  rendering.files["MANIFEST"] = print_manifest(rendering.manifest);
+  rendering.files["MANIFEST"] = print_manifest(rendering.rows);
   return rendering.files;
 }
 
 std::map<std::string, std::string> render_families(const std::vector<std::string>& names,
                                                    const std::function<void(const std::string&)>& progress) {
-  for (const std::string& name : names) {  // refuses every unknown name first
-    if (name != kBatchFiles) find_family(name);
-  }
-  Rendering rendering;
+  std::vector<const Family*> chosen;
+  bool with_batch = false;
   for (const std::string& name : names) {
     if (name == kBatchFiles) {
-      rendering.files.merge(render_batch());
+      with_batch = true;
     } else {
-      render_family(find_family(name), progress, rendering);
+      chosen.push_back(&find_family(name));
     }
   }
-  return rendering.files;
+  std::map<std::string, std::string> files = render(chosen, false, progress).files;
+  if (with_batch) files.merge(render_batch());
+  return files;
 }
 
 }  // namespace sh::codegen

@@ -25,29 +25,6 @@ std::string bound_and_seen(const MeasuredError& error) {
   return bound + fmt::format("/{:.1f}", error.rounding.eps);
 }
 
-std::vector<std::string> row(const ManifestEntry& entry) {
-  const FinishedKernel& f = entry.finished;
-  std::string files;
-  for (const std::string& file : entry.files) files += (files.empty() ? "" : " ") + file;
-  const auto field = [](const std::string& name, const std::string& value) { return "  " + name + "=" + value; };
-  return {f.kernel.name,
-          field("recipe", f.kernel.recipe),
-          field("mul", std::to_string(f.cost.mul)),
-          field("add", std::to_string(f.cost.add + f.cost.neg)),
-          field("other", std::to_string(f.cost.div + f.cost.sqrt + f.cost.select)),
-          field("chain", std::to_string(f.cost.depth)),
-          field("live", std::to_string(f.cost.max_live)),
-          field("float_eps", bound_and_seen(f.in_float)),
-          field("double_eps", bound_and_seen(f.in_double)),
-          field("float_rounding", print::two_digits(f.in_float.rounding.absolute)),
-          field("float_total", print::two_digits(f.in_float.total.absolute)),
-          field("double_rounding", print::two_digits(f.in_double.rounding.absolute)),
-          field("double_total", print::two_digits(f.in_double.total.absolute)),
-          field("ns", time(entry.timing, &Timing::call)),
-          field("lane_ns", time(entry.timing, &Timing::lane)),
-          field("files", files.empty() ? "-" : files)};
-}
-
 // --- families.json
 
 using Json = nlohmann::ordered_json;
@@ -80,18 +57,6 @@ Json errors(const MeasuredError& measured) {
   return json;
 }
 
-Json kernel(const FinishedKernel& finished) {
-  const Kernel& k = finished.kernel;
-  Json json = {{"name", k.name},
-               {"degree", k.degree},
-               {"recipe", k.recipe},
-               {"parameters", parameters(k.parameters)},
-               {"results", parameters(k.results)},
-               {"float", errors(finished.in_float)},
-               {"double", errors(finished.in_double)}};
-  return json;
-}
-
 Json promise(const Promise& promised) {
   Json json = {{"kernels", promised.kernels}, {"scalar", promised.scalar}};
   if (promised.rounding_eps > 0) json["rounding_eps"] = promised.rounding_eps;
@@ -105,7 +70,7 @@ std::string family_text(const RecordedFamily& recorded) {
   const Domain& domain = recorded.family->domain;
   Json json = {{"name", recorded.family->name},
                {"inputs", domain.inputs},
-               {"nearest", nearest_point(recorded.kernels.front().kernel.parameters)},
+               {"nearest", recorded.nearest},
                {"unit", domain.unit},
                {"sizes", domain.sizes}};
   if (domain.lengths[0] != domain.lengths[1]) json["lengths"] = domain.lengths;
@@ -113,14 +78,49 @@ std::string family_text(const RecordedFamily& recorded) {
   text.back() = ',';
   text += "\n  \"kernels\": [";
   for (std::size_t i = 0; i < recorded.kernels.size(); ++i) {
-    text += (i == 0 ? "\n    " : ",\n    ") + kernel(recorded.kernels[i]).dump();
+    text += (i == 0 ? "\n    " : ",\n    ") + recorded.kernels[i];
   }
   return text + "]}";
 }
 
 }  // namespace
 
-std::string print_manifest(const std::vector<ManifestEntry>& entries) {
+ManifestRow manifest_row(const ManifestEntry& entry) {
+  const FinishedKernel& f = entry.finished;
+  std::string files;
+  for (const std::string& file : entry.files) files += (files.empty() ? "" : " ") + file;
+  const auto field = [](const std::string& name, const std::string& value) { return "  " + name + "=" + value; };
+  return {f.kernel.name,
+          field("recipe", f.kernel.recipe),
+          field("mul", std::to_string(f.cost.mul)),
+          field("add", std::to_string(f.cost.add + f.cost.neg)),
+          field("other", std::to_string(f.cost.div + f.cost.sqrt + f.cost.select)),
+          field("chain", std::to_string(f.cost.depth)),
+          field("live", std::to_string(f.cost.max_live)),
+          field("float_eps", bound_and_seen(f.in_float)),
+          field("double_eps", bound_and_seen(f.in_double)),
+          field("float_rounding", print::two_digits(f.in_float.rounding.absolute)),
+          field("float_total", print::two_digits(f.in_float.total.absolute)),
+          field("double_rounding", print::two_digits(f.in_double.rounding.absolute)),
+          field("double_total", print::two_digits(f.in_double.total.absolute)),
+          field("ns", time(entry.timing, &Timing::call)),
+          field("lane_ns", time(entry.timing, &Timing::lane)),
+          field("files", files.empty() ? "-" : files)};
+}
+
+std::string kernel_record(const FinishedKernel& finished) {
+  const Kernel& k = finished.kernel;
+  Json json = {{"name", k.name},
+               {"degree", k.degree},
+               {"recipe", k.recipe},
+               {"parameters", parameters(k.parameters)},
+               {"results", parameters(k.results)},
+               {"float", errors(finished.in_float)},
+               {"double", errors(finished.in_double)}};
+  return json.dump();
+}
+
+std::string print_manifest(const std::vector<ManifestRow>& rows) {
   std::string text =
       "# Every kernel and every recipe for it, one a line. Written by `shgen write`; licence MIT-0.\n"
       "# mul, add: operations (add holds subtractions and negations); other: divisions, square roots, selections;\n"
@@ -134,8 +134,6 @@ std::string print_manifest(const std::vector<ManifestEntry>& entries) {
       "# at the head of each file, for recipes that are not written among the tested inputs alone;\n"
       "# files: what is written with this recipe, - when another one was chosen.\n"
       "# families.json: roles, shapes, units and limits of these kernels, for programs.\n";
-  std::vector<std::vector<std::string>> rows;
-  for (const ManifestEntry& entry : entries) rows.push_back(row(entry));
   for (const std::string& line : print::align_columns(rows)) text += line + "\n";
   return text;
 }

@@ -21,14 +21,22 @@ struct ManifestEntry {
   std::optional<Timing> timing;    ///< empty if the recipe was not tuned
 };
 
-/// A family and its written kernels.
+/// The columns of the line.
+using ManifestRow = std::vector<std::string>;
+ManifestRow manifest_row(const ManifestEntry& entry);
+
+/// A written kernel as families.json tells of it, a JSON object.
+std::string kernel_record(const FinishedKernel& finished);
+
+/// A family and the records of its written kernels, by degree.
 struct RecordedFamily {
   const Family* family = nullptr;
-  std::vector<FinishedKernel> kernels;  ///< the written kernels, by degree
+  std::string nearest;  // nearest_point() of its kernels
+  std::vector<std::string> kernels;
 };
 
 /// The content of generated/MANIFEST.
-std::string print_manifest(const std::vector<ManifestEntry>& entries);
+std::string print_manifest(const std::vector<ManifestRow>& rows);
 
 /// The content of generated/families.json.
 std::string print_families_record(const std::vector<RecordedFamily>& families);

@@ -343,10 +343,11 @@ class Search {
   }
 
   void set_lanes(std::span<const std::vector<double>> inputs) {
+    std::array<const double*, kLanes> from;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) from[lane] = inputs[std::min(lane, inputs.size() - 1)].data();
     in_lanes_.resize(inputs[0].size());
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const std::vector<double>& input = inputs[std::min(lane, inputs.size() - 1)];
-      for (std::size_t i = 0; i < input.size(); ++i) in_lanes_[i][lane] = input[i];
+    for (std::size_t i = 0; i < in_lanes_.size(); ++i) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) in_lanes_[i][lane] = from[lane][i];
     }
   }
 

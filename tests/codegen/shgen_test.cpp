@@ -78,7 +78,7 @@ TEST_F(WrittenTree, WritingAgainLeavesUnchangedFilesAlone) {
   EXPECT_EQ(content_of(folder()), kRendered);
 }
 
-// This is the only test that derives every kernel; it takes nearly a minute. Each file of generated/ has to equal the
+// This is the only test that derives every kernel; it takes minutes. Each file of generated/ has to equal the
 // output of the generator byte for byte, without extra files. The other tests of both commands need few kernels.
 TEST(Shgen, CommittedFilesPassTheCheck) {
   const auto result = shgen("check");
