@@ -113,12 +113,12 @@ void check(const BakeJob& job) {
   }
 }
 
-// Without the mesh. tracer: of the scene, or null.
-Transfer run_steps(const Scene& scene, const BakeSettings& settings, const Plan& plan,
+// Without the mesh. whole: the scene, or the one whose channel it is. tracer: of the scene, or null.
+Transfer run_steps(const Scene& scene, const Scene& whole, const BakeSettings& settings, const Plan& plan,
                    const std::shared_ptr<Tracer>& tracer, BakeReport& report) {
   if (!settings.ranks.is_first() && !scene.bake.kind->has_form_factors()) return {};
   const std::uint64_t rays_before = tracer ? tracer->rays() : 0;
-  BakeRun run(scene, settings, plan.open, tracer);
+  BakeRun run(scene, whole, settings, plan.open, tracer);
   try {
     for (const BakeStep& step : scene.bake.kind->steps) {
       step.run(run);
@@ -161,12 +161,14 @@ Transfer run_by_channel(const BakeJob& job, const std::shared_ptr<Tracer>& trace
         job.scene.name));
   }
   BakeSettings settings = job.settings;
-  settings.checkpoint = {};  // it holds one bake
   Transfer transfer;
   for (int c = 0; c < 3; ++c) {
     Scene scene = job.scene;
     scene.mesh = in_gray(std::move(scene.mesh), c);
-    Transfer channel = run_steps(scene, settings, *job.plan, tracer, report);
+    settings.checkpoint.channel = static_cast<std::uint32_t>(c);
+    settings.checkpoint.restart = job.settings.checkpoint.restart && c == 0;  // the others stand in the same file
+    Transfer channel = run_steps(scene, job.scene, settings, *job.plan, tracer, report);
+    if (!settings.checkpoint.shard.is_whole() || !settings.ranks.is_first()) continue;  // no result
     if (c == 0) {
       transfer = std::move(channel);
     } else {
@@ -299,7 +301,7 @@ Transfer bake(BakeJob job, BakeReport* report, const BakeObserver& say) {
   const bool by_channel = job.scene.bake.kind->traces_rays() && has_colored_mirrors(job.scene.mesh);
   on_threads(job.settings.threads, [&] {
     transfer = by_channel ? run_by_channel(job, tracer, measured)
-                          : run_steps(job.scene, job.settings, *job.plan, tracer, measured);
+                          : run_steps(job.scene, job.scene, job.settings, *job.plan, tracer, measured);
   });
   if (report != nullptr) *report = measured;
   if (!job.settings.checkpoint.shard.is_whole()) return {};  // the checkpoint is the result
@@ -333,12 +335,6 @@ void bake_shard(BakeJob job, BakeReport* report, const BakeObserver& say) {
     throw std::invalid_argument(
         fmt::format("{}: {} traces no rays, which shards share; expected another kind, or no shard", scene.name,
                     scene.bake.kind->word));
-  }
-  if (has_colored_mirrors(scene.mesh)) {
-    throw std::invalid_argument(fmt::format(
-        "{}: its mirrors have colors, for which the channels are baked one after another; expected gray mirrors, or no "
-        "shard",
-        scene.name));
   }
   bake(std::move(job), report, say);
 }

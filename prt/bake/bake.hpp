@@ -47,6 +47,7 @@ struct CheckpointSettings {
   std::vector<std::string> parts = {};  // the checkpoints of all shards, from which the bake goes on
   /// The iterates of bounces (prt/bake/bounce_checkpoint.hpp); empty: they stand beside `path`, if that is not empty.
   std::string bounces = {};
+  std::uint32_t channel = 0;  // of colored mirrors, whose channels are baked one after another: each has its own chunks
 };
 
 struct BakeSettings {
@@ -54,9 +55,9 @@ struct BakeSettings {
   std::string instruction_set = {};  // of the rays, see Tracer; empty: the best up to avx2
   OnFlaw on_flaw = OnFlaw::kMend;
   std::size_t bounce_memory = SIZE_MAX;  // bytes for form factors; the rest is traced again for each bounce
-  CheckpointSettings checkpoint = {};    // unused with colored mirrors
-  Ranks ranks = {};                      // that solve the bounces of diffuse surfaces; only the first has a result
-  std::string plan_file = {};            // a plan (prt/plan/plan_file.hpp) to follow in place of making one
+  CheckpointSettings checkpoint = {};
+  Ranks ranks = {};            // that solve the bounces of diffuse surfaces; only the first has a result
+  std::string plan_file = {};  // a plan (prt/plan/plan_file.hpp) to follow in place of making one
 };
 
 /// The time limit of a bake; it starts when the job is described.
@@ -100,7 +101,7 @@ BakeJob planned(BakeJob job);
 Transfer bake(BakeJob job, BakeReport* report = nullptr, const BakeObserver& say = {});
 
 /// Traces the rays of the shard that the job's settings name into their checkpoint, which then is complete. Throws like
-/// bake(), and std::invalid_argument for a kind that traces no rays, colored mirrors, and a shard out of range.
+/// bake(), and std::invalid_argument for a kind that traces no rays and a shard out of range.
 void bake_shard(BakeJob job, BakeReport* report = nullptr, const BakeObserver& say = {});
 
 /// Bakes into a transfer file, then deletes the checkpoint.

@@ -198,6 +198,7 @@ std::string bake_key(const Scene& scene, const std::string& instruction_set, con
 Checkpoint::Checkpoint(const CheckpointSettings& settings, const std::string& key, ShadowResult& result)
     : result_(result),
       shard_(settings.shard),
+      channel_(settings.channel),
       restored_(chunk_count(result.sight.size()), 0),
       interval_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(settings.seconds))) {
   if (!settings.parts.empty()) {
@@ -220,8 +221,13 @@ Checkpoint::Checkpoint(const CheckpointSettings& settings, const std::string& ke
   last_write_ = Clock::now();
 }
 
-bool Checkpoint::load(std::uint32_t chunk, std::string_view data) {
-  if (chunk >= restored_.size() || restored_[chunk] != 0 ||
+std::uint32_t Checkpoint::index_of(std::uint32_t chunk) const {
+  return channel_ * static_cast<std::uint32_t>(restored_.size()) + chunk;
+}
+
+bool Checkpoint::load(std::uint32_t index, std::string_view data) {
+  const std::uint32_t chunk = index - index_of(0);
+  if (index < index_of(0) || chunk >= restored_.size() || restored_[chunk] != 0 ||
       !decode_chunk(data, chunk_range(chunk, result_.sight.size()), result_)) {
     return false;
   }
@@ -304,7 +310,7 @@ void Checkpoint::write_pending() {
     std::swap(chunks, pending_);
   }
   for (const std::uint32_t chunk : chunks) {
-    file_->append(chunk, encode_chunk(result_, chunk_range(chunk, result_.sight.size())));
+    file_->append(index_of(chunk), encode_chunk(result_, chunk_range(chunk, result_.sight.size())));
     ++written_;
   }
   last_write_ = Clock::now();

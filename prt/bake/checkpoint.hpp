@@ -68,12 +68,15 @@ class Checkpoint {
   using Clock = std::chrono::steady_clock;
   [[nodiscard]] bool is_due() const { return Clock::now() - last_write_ >= interval_; }
   void write_pending();
-  // Loads a chunk; false if its bytes cannot be results, or it is there already.
-  bool load(std::uint32_t chunk, std::string_view data);
+  // The index of the record of a chunk.
+  [[nodiscard]] std::uint32_t index_of(std::uint32_t chunk) const;
+  // Loads the chunk of a record; false if it is of another channel, its bytes cannot be results, or it is there already.
+  bool load(std::uint32_t index, std::string_view data);
   void load_parts(const std::vector<std::string>& parts, const std::string& key);
 
   ShadowResult& result_;
   Shard shard_;
+  std::uint32_t channel_;
   std::vector<std::uint8_t> restored_;  // (chunks)
   Clock::duration interval_;
   std::mutex writing_;  // guards the next three

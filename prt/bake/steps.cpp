@@ -41,7 +41,7 @@ void begin_tracing(BakeRun& run) {
     run.factors->share_among(run.settings.ranks);
   }
   run.found.emplace(ShadowResult{transfer, std::vector<Sight>(vertices), run.factors ? &*run.factors : nullptr});
-  run.checkpoint.emplace(run.settings.checkpoint, bake_key(scene, transfer.instruction_set, run.open), *run.found);
+  run.checkpoint.emplace(run.settings.checkpoint, bake_key(run.whole, transfer.instruction_set, run.open), *run.found);
 }
 
 // Reports meshes that are mostly dark: a closed room without light, or surfaces whose fronts face inwards.

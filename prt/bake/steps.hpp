@@ -26,9 +26,10 @@ namespace sh::prt {
 /// The state of a running bake: the input of its steps, and the results that each step leaves for the next. All
 /// arguments must outlive this object. Mirrors are gray (prt/bake/bake.cpp handles the others).
 struct BakeRun {
-  BakeRun(const Scene& the_scene, const BakeSettings& the_settings, const std::vector<std::uint8_t>& open_vertices,
-          std::shared_ptr<Tracer> the_tracer)
+  BakeRun(const Scene& the_scene, const Scene& the_whole, const BakeSettings& the_settings,
+          const std::vector<std::uint8_t>& open_vertices, std::shared_ptr<Tracer> the_tracer)
       : scene(the_scene),
+        whole(the_whole),
         settings(the_settings),
         open(open_vertices),
         tracer(std::move(the_tracer)),
@@ -37,6 +38,7 @@ struct BakeRun {
   BakeRun& operator=(const BakeRun&) = delete;
 
   const Scene& scene;
+  const Scene& whole;  // the scene, or the one whose channel it is: the checkpoint is that of all channels
   const BakeSettings& settings;
   const std::vector<std::uint8_t>& open;  // as in Plan
   std::shared_ptr<Tracer> tracer;         // of the mesh, if there is one

@@ -40,11 +40,15 @@ std::uint64_t rays_of(const Finished& run) {
 // A torus over stairs in a scene file, baked as a whole, with all that its checkpoint held.
 class StoppedBake : public testing::TestWithParam<const char*> {
  protected:
+  // GetParam(): the kind; after it perhaps a slash and more of the torus.
   void SetUp() override {
+    const std::string param = GetParam();
+    const std::size_t slash = std::min(param.find('/'), param.size());
     write_all(file_, R"({"meshes": [{"primitive": "stairs", "max_edge": 0.07},
-                                    {"primitive": "torus", "segments": 36, "transform": {"translate": [0, 0, 0.9]}}],
-                         "bake": {"degree": 2, "directions": 1024, "transfer": ")" +
-                         std::string(GetParam()) + "\"}}");
+                                    {"primitive": "torus", "segments": 36, "transform": {"translate": [0, 0, 0.9]})" +
+                         param.substr(std::min(slash + 1, param.size())) +
+                         R"(}], "bake": {"degree": 2, "directions": )" + (slash < param.size() ? "256" : "1024") +
+                         R"(, "transfer": ")" + param.substr(0, slash) + "\"}}");
     scene_ = load_scene(file_, OnFlaw::kRefuse);
     scene_.plan.mode = PlanMode::kNone;
     whole_ = bake({scene_, with_checkpoint(1)}, &report_);
@@ -225,7 +229,7 @@ void mend(std::string& part, const Record& record) {
 
 TEST_P(AnyStoppedBake, BelievesNoNumberThatRaysCannotGiveWhateverItsChecksum) {
   const Record record = records_of(whole_part_).at(1);
-  const TransferKind& kind = *find_kind(&TransferKind::word, GetParam());
+  const TransferKind& kind = *scene_.bake.kind;
   const std::size_t vectors = 32 * kind.traced_shape(2).columns() * sizeof(float);
   const auto expect_traced_again = [&](std::size_t place, auto value) {
     std::string changed = whole_part_;
@@ -251,6 +255,17 @@ TEST_P(AnyStoppedBake, BelievesNoNumberThatRaysCannotGiveWhateverItsChecksum) {
     expect_traced_again(weight, bad);
 }
 
+TEST_P(AnyStoppedBake, HoldsEverythingAgainWhereItStartsAgain) {
+  write_all(part_, whole_part_);
+  BakeSettings again = with_checkpoint();
+  again.checkpoint.restart = true;
+  BakeReport report;
+  EXPECT_TRUE(bake({scene_, again}, &report).coefficients == whole_.coefficients);
+  EXPECT_EQ(report.rays, report_.rays);
+  EXPECT_EQ(size_of(part_), whole_part_.size());
+  EXPECT_TRUE(bake({scene_, {}}).coefficients == whole_.coefficients) << "without any checkpoint";
+}
+
 // The index of the second record in the first record, whose data are unchanged.
 TEST_P(AnyStoppedBake, BelievesNoRecordThatNamesAnotherChunk) {
   const std::vector<Record> records = records_of(whole_part_);
@@ -261,7 +276,9 @@ TEST_P(AnyStoppedBake, BelievesNoRecordThatNamesAnotherChunk) {
   EXPECT_TRUE(bake({scene_, with_checkpoint()}).coefficients == whole_.coefficients);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfKind, AnyStoppedBake, testing::Values("shadowed", "interreflected", "glossy_shadowed"));
+INSTANTIATE_TEST_SUITE_P(OfKind, AnyStoppedBake,
+                         testing::Values("shadowed", "interreflected", "glossy_shadowed",
+                                         R"(interreflected/, "mirror": [0.3, 0.5, 0.7])"));
 
 TEST_P(StoppedShadowedBake, GoesOnAfterControlCAmongItsClustersAndSaysSo) {
   std::vector<std::string> clustered = arguments("1");

@@ -291,6 +291,13 @@ TEST_F(MpiMerge, TracesRowsAgainThatItsMemoryCannotHold) {
   EXPECT_TRUE(read_all(out_) == read_all(folder_.file("single")));
 }
 
+TEST_F(MpiMerge, SolvesEveryChannelOfColoredMirrors) {
+  trace("interreflected", R"([0.5, 0.5, 0.5], "mirror": [0.2, 0.3, 0.4])");
+  succeeded(bake("interreflected", folder_.file("single")));
+  EXPECT_EQ(merge(3), 0) << read_all(err_);
+  EXPECT_TRUE(read_all(out_) == read_all(folder_.file("single")));
+}
+
 TEST_F(MpiMerge, SpeaksWithOneVoice) {
   trace("interreflected", R"([0.5, 0.5, 0.5], "flip": true)");  // with warnings: it is dark inside
   const auto lines = [&](int processes) {

@@ -111,6 +111,8 @@ TEST_F(Shards, GiveThemByAPlanThatWasMadeOnce) {
 TEST_F(Shards, GiveThemForMirrorsEmissionAndTexels) {
   scene(R"("mirror": [0.5, 0.5, 0.5])");
   EXPECT_TRUE(merged(parts(3, {"--kind", "interreflected"})) == single({"--kind", "interreflected"}));
+  scene(R"("mirror": [0.5, 0.25, 0.7])");
+  EXPECT_TRUE(merged(parts(3, {"--kind", "interreflected"})) == single({"--kind", "interreflected"}));
   scene(R"("emission": [1, 2, 3])");
   EXPECT_TRUE(merged(parts(3, {"--kind", "interreflected"})) == single({"--kind", "interreflected"}));
   scene(R"("texels": 16)");
@@ -213,7 +215,7 @@ TEST_F(Shards, RefuseWhatCannotBeShared) {
   }
   expect_refused(bake({"--kind", "unshadowed", "--shard", "1/2"}, out_), "traces no rays");
   scene(R"("mirror": [0.5, 0.25, 0.5])");
-  expect_refused(bake({"--kind", "interreflected", "--shard", "1/2"}, out_), "its mirrors have colors");
+  expect_refused(bake({"--kind", "shadowed", "--shard", "1/2"}, out_), "its mirrors have colors");
   for (const Arguments& other : {Arguments{"--estimate"},
                                  {"--budget-seconds", "3"},
                                  {"--no-checkpoint"},
