@@ -132,7 +132,7 @@ Picture noisy_picture(double value, double noise, unsigned seed) {
   Picture picture{64, 64, {}, std::vector<float>(64 * 64, 1.0F)};
   for (std::size_t i = 0; i < picture.coverage.size(); ++i) {
     picture.radiance.emplace_back(Eigen::Vector3f::Constant(static_cast<float>(value)) +
-                               Eigen::Vector3f(deviation(random), deviation(random), deviation(random)));
+                                  Eigen::Vector3f(deviation(random), deviation(random), deviation(random)));
   }
   return picture;
 }
