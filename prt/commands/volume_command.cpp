@@ -89,6 +89,7 @@ void run_volume(const VolumeCommand& command) {
   output::require_no_input(settings.checkpoint.path, scene.files);
   output::require_no_input(command.output, command.rays.parts);
   if (command.job.count > 0) {
+    if (command.volume.reflects) say("the merge also bakes what the object reflects, which no estimate holds");
     return print_jobs(command.job, command.words, command.output,
                       estimate_volume(scene, volume_options(command), settings));
   }

@@ -127,6 +127,9 @@ TEST_F(VolumeShards, AreTheCommandsThatAreTold) {
   write_all(folder_.file("job.sh"), "export PATH=\"" SHFORGE_BIN_DIR ":$PATH\"\nset -e\n" + told.out);
   ASSERT_EQ(std::system(("bash '" + folder_.file("job.sh") + "' 2> /dev/null").c_str()), 0) << told.out;
   EXPECT_TRUE(read_all(folder_.file("the volume")) == single({"--degree", "1"}));
+  EXPECT_EQ(told.err.find("the merge also bakes"), std::string::npos);
+  EXPECT_NE(succeeded(volume({"--shards", "2", "--reflected"}, out_)).err.find("the merge also bakes"),
+            std::string::npos);
   const std::string slurm = succeeded(volume({"--shards", "2", "--for", "slurm"}, out_)).out;
   EXPECT_NE(slurm.find("prt volume " + scene_ + " --counts 7 6 5 --directions 64 --shard "), std::string::npos)
       << slurm;
