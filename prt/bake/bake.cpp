@@ -161,6 +161,7 @@ Transfer run_by_channel(const BakeJob& job, const std::shared_ptr<Tracer>& trace
         job.scene.name));
   }
   BakeSettings settings = job.settings;
+  const bool has_result = settings.checkpoint.shard.is_whole() && settings.ranks.is_first();
   Transfer transfer;
   for (int c = 0; c < 3; ++c) {
     Scene scene = job.scene;
@@ -168,7 +169,7 @@ Transfer run_by_channel(const BakeJob& job, const std::shared_ptr<Tracer>& trace
     settings.checkpoint.channel = static_cast<std::uint32_t>(c);
     settings.checkpoint.restart = job.settings.checkpoint.restart && c == 0;  // the others stand in the same file
     Transfer channel = run_steps(scene, job.scene, settings, *job.plan, tracer, report);
-    if (!settings.checkpoint.shard.is_whole() || !settings.ranks.is_first()) continue;  // no result
+    if (!has_result) continue;
     if (c == 0) {
       transfer = std::move(channel);
     } else {
