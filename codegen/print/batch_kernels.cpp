@@ -99,13 +99,13 @@ std::string record_kernels(const Kernel& kernel) {
   std::string inputs, sizes;
   for (std::size_t j = 0; j < s.inputs.size(); ++j) {
     const std::string size = size_in_degree(s.inputs[j].size, kernel);
-    inputs += (j == 0 ? "" : ", ") + filled("reinterpret_cast<const One<T>*>(from[$j]) + i * $size",
-                                            {{"j", std::to_string(j)}, {"size", size}});
+    inputs += (j == 0 ? "" : ", ") + filled("reinterpret_cast<const One<T>*>($array) + i * $size",
+                                            {{"array", j == 0 ? "a" : "b"}, {"size", size}});
     sizes += ", " + size;
   }
   return filled(
       R"(template <int Degree, class T>
-[[gnu::flatten]] void one_by_one(const T* const* from, std::size_t n, T* to) {
+[[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* $b, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
     const One<T>* const in[] = {$inputs};
     auto* out = reinterpret_cast<One<T>*>(to) + i * $size;
@@ -114,24 +114,28 @@ std::string record_kernels(const Kernel& kernel) {
 }
 
 template <int Degree, class T>
-[[gnu::flatten]] void in_groups(const T* const* from, std::size_t count, T* to) {
-  for_every_group<T, $size$sizes>(from, count, to, [](const Group<T>* const* in, Group<T>* out) {
+[[gnu::flatten]] void in_groups(const T* a, const T* b, std::size_t count, T* to) {
+  for_every_group<T, $size$sizes>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     $call
   });
 }
 
 template <int Degree, class T>
-void records(const T* const* from, std::size_t n, T* to) {
-  run_records<T, $size$sizes>(from, n, to, one_by_one<Degree, T>, in_groups<Degree, T>);
+void records(const T* a, const T* b, std::size_t n, T* to) {
+  run_records<T, $size$sizes>(a, b, n, to, one_by_one<Degree, T>, in_groups<Degree, T>);
 }
 
 template <int Degree, class T>
-void blocks(const T* const* from, std::size_t count, T* to) {
-  kernel<Degree>(whole_blocks<T, $size$sizes>(from, count, to));
+void blocks(const T* a, const T* b, std::size_t count, T* to) {
+  kernel<Degree>(whole_blocks<T, $size$sizes>(a, b, count, to));
 }
 
 )",
-      {{"inputs", inputs}, {"sizes", sizes}, {"size", size_in_degree(s.out_size, kernel)}, {"call", call_of(kernel)}});
+      {{"inputs", inputs},
+       {"sizes", sizes},
+       {"b", s.inputs.size() > 1 ? "b" : "/*b*/"},
+       {"size", size_in_degree(s.out_size, kernel)},
+       {"call", call_of(kernel)}});
 }
 
 // The kernels that need no driver, by degree.

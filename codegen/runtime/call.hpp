@@ -22,9 +22,10 @@ struct Call {
   bool stream = false;         ///< write past the cache
 };
 
-/// A kernel of n plain records, or of n whole blocks.
+/// A kernel of n plain records, or of n whole blocks. Pointers to the inputs go one by one (b: null where there is one
+/// input): from an array, compilers fetch two at once, which waits for both stores.
 template <class T>
-using RecordKernel = void (*)(const T* const* in, std::size_t n, T* out);
+using RecordKernel = void (*)(const T* a, const T* b, std::size_t n, T* out);
 
 /// The kernels of a degree that need no driver: of plain records, and of blocks that are aligned to lines.
 template <class T>

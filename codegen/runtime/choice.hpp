@@ -62,22 +62,24 @@ template <class T>
 
 /// A call of not too many records, all plain or all in whole blocks, checked, at once: its kernels by instruction set and
 /// degree. False for all other calls, wrong ones and the first of all.
-template <class T, class... In>
+template <class T, class... Second>
 [[gnu::always_inline]] inline bool run_direct(const DirectKernels<T>* const* every, int degree, int largest_degree,
-                                              std::size_t n, const Records<T>& out, const In&... in) {
+                                              std::size_t n, const Records<T>& out, const Records<const T>& a,
+                                              const Second&... b) {
   constexpr std::size_t kMost = 1024;  // their outputs stay in a cache
   const int set = in_use.load(std::memory_order_relaxed);
   const bool serves = set != kNotChosen && degree >= 0 && degree <= largest_degree && n - 1 < kMost &&
-                      out.data != nullptr && ((in.data != nullptr) && ...);
+                      out.data != nullptr && a.data != nullptr && ((b.data != nullptr) && ...);
   if (!serves) return false;
-  const T* const arrays[] = {in.data...};
+  const T* second = nullptr;
+  ((second = b.data), ...);
   const DirectKernels<T>& kernels = every[set][degree];
-  if (out.layout == Layout::kPlain && ((in.layout == Layout::kPlain) && ...)) {
-    kernels.plain(static_cast<const T* const*>(arrays), n, out.data);
+  if (out.layout == Layout::kPlain && a.layout == Layout::kPlain && ((b.layout == Layout::kPlain) && ...)) {
+    kernels.plain(a.data, second, n, out.data);
     return true;
   }
-  if (n % kBlock<T> == 0 && are_lines(out) && (are_lines(in) && ...)) {
-    kernels.blocks(static_cast<const T* const*>(arrays), n / kBlock<T>, out.data);
+  if (n % kBlock<T> == 0 && are_lines(out) && are_lines(a) && (are_lines(b) && ...)) {
+    kernels.blocks(a.data, second, n / kBlock<T>, out.data);
     return true;
   }
   return false;

@@ -170,24 +170,21 @@ template <std::size_t Size, class T>
   }
 }
 
-// Calls kernel(in, out) for `count` groups of records of In values each, to records of Out values.
-template <class T, std::size_t Out, std::size_t... In, class Kernel>
-[[gnu::always_inline]] inline void for_every_group(const T* const* from, std::size_t count, T* to,
+// Calls kernel(in, out) for `count` groups of records of InA and of InB values (0: there is one input), to records of Out
+// values.
+template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0, class Kernel>
+[[gnu::always_inline]] inline void for_every_group(const T* a, const T* b, std::size_t count, T* to,
                                                    const Kernel& kernel) {
-  if constexpr (kGroup < T >> 1) {
+  if constexpr (kGroup<T> != 1) {
     for (std::size_t g = 0; g < count; ++g) {
-      Group<T> values[(In + ...)];
-      const Group<T>* in[sizeof...(In)];
-      std::size_t j = 0;
-      std::size_t at = 0;
-      const auto load = [&](auto size) __attribute__((always_inline)) {
-        constexpr std::size_t kSize = decltype(size)::value;
-        prefetch_records<kSize>(from[j] + g * kGroup<T> * kSize);
-        load_group<kSize>(from[j] + g * kGroup<T> * kSize, values + at);
-        in[j++] = values + at;
-        at += kSize;
-      };
-      (load(std::integral_constant<std::size_t, In>()), ...);
+      Group<T> values[InA + InB];
+      prefetch_records<InA>(a + g * kGroup<T> * InA);
+      load_group<InA>(a + g * kGroup<T> * InA, static_cast<Group<T>*>(values));
+      if constexpr (InB > 0) {
+        prefetch_records<InB>(b + g * kGroup<T> * InB);
+        load_group<InB>(b + g * kGroup<T> * InB, values + InA);
+      }
+      const Group<T>* const in[] = {values, values + InA};
       Group<T> out[Out];
       kernel(static_cast<const Group<T>* const*>(in), static_cast<Group<T>*>(out));
       store_group<Out>(static_cast<const Group<T>*>(out), to + g * kGroup<T> * Out);
@@ -198,43 +195,34 @@ template <class T, std::size_t Out, std::size_t... In, class Kernel>
 // n records: by groups. What is left over is part of a group that ends with the last record, which computes some again,
 // from inputs that must still be there; of a call of few, part of a group in memory of its own. One or two are faster one
 // by one, and more where there is no whole group and they are small. As measured (tests/bench/plain_targets.cpp).
-template <class T, std::size_t Out, std::size_t... In>
-inline void run_records(const T* const* from, std::size_t n, T* to, detail::RecordKernel<T> one_by_one,
+template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0>
+inline void run_records(const T* a, const T* b, std::size_t n, T* to, detail::RecordKernel<T> one_by_one,
                         detail::RecordKernel<T> groups) {
-  constexpr std::size_t kSizes[] = {In...};
-  constexpr std::size_t kInputs = sizeof...(In);
-  constexpr bool kIsSmall = kGroup<T> < 8 || (In + ...) + Out < 28;
+  constexpr bool kIsSmall = kGroup<T> < 8 || InA + InB + Out < 35;
   constexpr std::size_t kMostSingle = kIsSmall ? kGroup<T> - 1 : 3;
-  if (kGroup<T> == 1 || n <= kMostSingle) return one_by_one(from, n, to);
+  if (kGroup<T> == 1 || n <= kMostSingle) return one_by_one(a, b, n, to);
   const std::size_t whole = n / kGroup<T>;
   const std::size_t rest = n % kGroup<T>;
-  const T* behind[kInputs];
-  const auto move = [&](std::size_t first) {
-    for (std::size_t j = 0; j < kInputs; ++j) behind[j] = from[j] + first * kSizes[j];
-    return to + first * Out;
-  };
-  bool may_overlap = whole > 0 && rest > 2;
-  for (std::size_t j = 0; j < kInputs; ++j) may_overlap = may_overlap && from[j] != to;
-  if (whole > 0) groups(from, whole, to);
+  const bool may_overlap = whole > 0 && rest > 2 && a != to && b != to;
+  if (whole > 0) groups(a, b, whole, to);
   if (rest == 0) return;
-  if (may_overlap) {
-    T* const out = move(n - kGroup<T>);
-    return groups(behind, 1, out);
-  }
-  T* const out = move(whole * kGroup<T>);
-  if (rest <= kMostSingle) return one_by_one(behind, rest, out);
-  T in[kGroup<T> * (In + ...)];
+  const std::size_t first = may_overlap ? n - kGroup<T> : whole * kGroup<T>;
+  a += first * InA;
+  b += first * InB;
+  to += first * Out;
+  if (may_overlap) return groups(a, b, 1, to);
+  if (rest <= kMostSingle) return one_by_one(a, b, rest, to);
+  T in[kGroup<T> * (InA + InB)];
   T result[kGroup<T> * Out];
-  T* room = static_cast<T*>(in);
-  for (std::size_t j = 0; j < kInputs; ++j) {
-    const std::size_t size = kGroup<T> * kSizes[j];
-    std::memset(room, 0, size * sizeof(T));
-    std::memcpy(room, behind[j], rest * kSizes[j] * sizeof(T));
-    behind[j] = room;
-    room += size;
-  }
-  groups(behind, 1, static_cast<T*>(result));
-  std::memcpy(out, result, rest * Out * sizeof(T));
+  const auto copy = [rest](const T* from, std::size_t size, T* room) {
+    std::memcpy(room, from, rest * size * sizeof(T));
+    std::memset(room + rest * size, 0, (kGroup<T> - rest) * size * sizeof(T));
+  };
+  T* const second = static_cast<T*>(in) + kGroup<T> * InA;
+  copy(a, InA, in);
+  if constexpr (InB > 0) copy(b, InB, second);
+  groups(static_cast<const T*>(in), second, 1, static_cast<T*>(result));
+  std::memcpy(to, result, rest * Out * sizeof(T));
 }
 
 }  // namespace sh::batch::SH_BATCH_ISA

@@ -18,29 +18,29 @@ template <int Degree, class T>
 }
 
 template <int Degree, class T>
-[[gnu::flatten]] void one_by_one(const T* const* from, std::size_t n, T* to) {
+[[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* /*b*/, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
-    const One<T>* const in[] = {reinterpret_cast<const One<T>*>(from[0]) + i * 3};
+    const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a) + i * 3};
     auto* out = reinterpret_cast<One<T>*>(to) + i * ((Degree + 1) * (Degree + 1));
     sh::basis<Degree>(in[0][0], in[0][1], in[0][2], out);
   }
 }
 
 template <int Degree, class T>
-[[gnu::flatten]] void in_groups(const T* const* from, std::size_t count, T* to) {
-  for_every_group<T, ((Degree + 1) * (Degree + 1)), 3>(from, count, to, [](const Group<T>* const* in, Group<T>* out) {
+[[gnu::flatten]] void in_groups(const T* a, const T* b, std::size_t count, T* to) {
+  for_every_group<T, ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     sh::basis<Degree>(in[0][0], in[0][1], in[0][2], out);
   });
 }
 
 template <int Degree, class T>
-void records(const T* const* from, std::size_t n, T* to) {
-  run_records<T, ((Degree + 1) * (Degree + 1)), 3>(from, n, to, one_by_one<Degree, T>, in_groups<Degree, T>);
+void records(const T* a, const T* b, std::size_t n, T* to) {
+  run_records<T, ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to, one_by_one<Degree, T>, in_groups<Degree, T>);
 }
 
 template <int Degree, class T>
-void blocks(const T* const* from, std::size_t count, T* to) {
-  kernel<Degree>(whole_blocks<T, ((Degree + 1) * (Degree + 1)), 3>(from, count, to));
+void blocks(const T* a, const T* b, std::size_t count, T* to) {
+  kernel<Degree>(whole_blocks<T, ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to));
 }
 
 }  // namespace

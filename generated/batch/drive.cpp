@@ -270,9 +270,7 @@ bool is_plain(const detail::Call<T>& call, const Plan<T>& plan) {
 template <class T>
 void drive(const detail::Call<T>& call, const Plan<T>& plan) {
   if (plan.kernel_plain == nullptr || call.stream || !is_plain(call, plan)) return Driver<T>(call, plan).run();
-  const T* in[detail::kMostInputs];
-  for (int j = 0; j < plan.inputs; ++j) in[j] = call.in[j].data;
-  plan.kernel_plain(static_cast<const T* const*>(in), call.n, call.out.data);
+  plan.kernel_plain(call.in[0].data, call.in[1].data, call.n, call.out.data);
 }
 template void drive(const detail::Call<float>&, const Plan<float>&);
 template void drive(const detail::Call<double>&, const Plan<double>&);

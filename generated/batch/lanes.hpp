@@ -163,11 +163,13 @@ template <class T>
 using BlockKernel = void (*)(const Blocks<T>&);
 
 // `count` whole blocks of records of In values each, to records of Out values.
-template <class T, std::size_t Out, std::size_t... In>
-[[gnu::always_inline]] inline Blocks<T> whole_blocks(const T* const* from, std::size_t count, T* to) {
+template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0>
+[[gnu::always_inline]] inline Blocks<T> whole_blocks(const T* a, const T* b, std::size_t count, T* to) {
   Blocks<T> blocks;
-  std::size_t j = 0;
-  ((blocks.in[j] = from[j], blocks.step[j++] = In * kBlock<T>), ...);
+  blocks.in[0] = a;
+  blocks.in[1] = b;
+  blocks.step[0] = InA * kBlock<T>;
+  blocks.step[1] = InB * kBlock<T>;
   blocks.out = to;
   blocks.out_step = Out * kBlock<T>;
   blocks.count = count;
