@@ -140,8 +140,8 @@ Transfer run_steps(const Scene& scene, const Scene& whole, const BakeSettings& s
 // Takes channel `c` and the worse value of each number of the report.
 void take_channel(const Transfer& from, int c, Transfer& to) {
   const std::size_t count = to.shape.count();
-  for (std::size_t v = 0; v < to.coefficients.size() / to.shape.length(); ++v) {
-    std::copy_n(from.row(v) + c * count, count, to.row(v) + c * count);
+  for (std::size_t at = c * count; at < to.coefficients.size(); at += to.shape.length()) {
+    std::copy_n(from.coefficients.data() + at, count, to.coefficients.data() + at);
   }
   for (std::size_t v = 0; v < to.emitted.size(); ++v) to.emitted[v][c] = from.emitted[v][c];
   to.bounces.applications = std::max(to.bounces.applications, from.bounces.applications);
