@@ -35,6 +35,12 @@ struct Head {
 };
 static_assert(sizeof(Head) == 16);
 
+// The rows first .. last - 1.
+void fetch(const Panel& x, std::size_t first, std::size_t last, double* to) {
+  std::copy(x.row(first), x.row(last), to);
+}
+void fetch(const OwnRows& x, std::size_t first, std::size_t last, double* to) { x.gather(first, last, to); }
+
 // Where a state is written before it replaces the last one.
 std::string next_to(const std::string& path) { return path + ".new"; }
 
@@ -67,10 +73,10 @@ std::optional<BounceState> BounceCheckpoint::read(Panel& x, Panel& r) const {
   };
   CheckpointFile file = opened();
   if (!file.exists()) return std::nullopt;
-  Panel kept_x(x.rows, x.columns);  // a file that lacks a block leaves x and r as they are
-  Panel kept_r(x.rows, x.columns);
+  Panel kept_x(r.rows, r.columns);  // a file that lacks a block leaves x and r as they are
+  Panel kept_r(r.rows, r.columns);
   std::optional<BounceState> state;
-  std::vector<bool> has(2 * blocks_of(x), false);
+  std::vector<bool> has(2 * blocks_of(r), false);
   file.read([&](std::uint32_t index, std::string_view data) {
     if (index == 0) {
       Head head{};
@@ -93,41 +99,67 @@ std::optional<BounceState> BounceCheckpoint::read(Panel& x, Panel& r) const {
   return state;
 }
 
-std::optional<BounceState> BounceCheckpoint::load(Panel& x, Panel& r) const {
+std::optional<BounceState> BounceCheckpoint::load(OwnRows& x, Panel& r) const {
   if (settings_.path.empty()) return std::nullopt;
+  Panel all_x(0, r.columns);
   std::optional<BounceState> state;
-  if (ranks_.is_first()) state = read(x, r);
-  if (ranks_.count < 2) return state;
+  if (ranks_.is_first()) state = read(all_x, r);
   std::array<double, 4> head{};
   if (state) head = {1.0, static_cast<double>(state->phase), static_cast<double>(state->applications), state->before};
-  ranks_.broadcast(head.data(), head.size(), 0);
+  tell(head.data(), head.size());
   if (head[0] == 0.0) return std::nullopt;
-  ranks_.broadcast(x.values.data(), x.values.size(), 0);
-  ranks_.broadcast(r.values.data(), r.values.size(), 0);
+  std::vector<double> rows(Ranks::kRowsAtOnce * r.columns);
+  for (std::size_t first = 0; first < r.rows; first += Ranks::kRowsAtOnce) {
+    const std::size_t size = (std::min(r.rows, first + Ranks::kRowsAtOnce) - first) * r.columns;
+    tell(r.row(first), size);
+    if (ranks_.is_first()) std::copy_n(all_x.row(first), size, rows.data());
+    tell(rows.data(), size);
+    if (ranks_.owns(first)) std::copy_n(rows.data(), size, x.row(first));
+  }
   return BounceState{static_cast<BounceState::Phase>(static_cast<std::uint32_t>(head[1])),
                      static_cast<std::uint32_t>(head[2]), head[3]};
 }
 
-void BounceCheckpoint::keep(const BounceState& state, const Panel& x, const Panel& r) {
-  if (settings_.path.empty() || !ranks_.is_first()) return;
+bool BounceCheckpoint::is_time() const {
   const auto seconds = std::chrono::duration<double>(settings_.seconds);
-  if (Clock::now() - last_ < std::max(std::chrono::duration_cast<Clock::duration>(seconds), kLittle * cost_)) return;
+  const auto least = std::max(std::chrono::duration_cast<Clock::duration>(seconds), kLittle * cost_);
+  double is_time = !settings_.path.empty() && Clock::now() - last_ >= least ? 1.0 : 0.0;
+  tell(&is_time, 1);
+  return is_time != 0.0;
+}
+
+template <class X>
+void BounceCheckpoint::keep_rows(const BounceState& state, const X& x, const Panel& r) {
+  if (settings_.path.empty() || !is_time()) return;
   const Clock::time_point began = Clock::now();
   const std::string next = next_to(settings_.path);
   {
-    CheckpointFile file(next, key_, true);
+    std::optional<CheckpointFile> file;
+    const auto append = [&](std::size_t place, const void* data, std::size_t bytes) {
+      if (file) file->append(static_cast<std::uint32_t>(place), {static_cast<const char*>(data), bytes});
+    };
+    if (ranks_.is_first()) file.emplace(next, key_, true);
     const Head head{static_cast<std::uint32_t>(state.phase), state.applications, state.before};
-    file.append(0, {reinterpret_cast<const char*>(&head), sizeof head});
-    for (std::size_t place = 0; place < 2 * blocks_of(x); ++place) {
-      const auto [numbers, bytes] = block_of(place % 2 == 0 ? x : r, place / 2);
-      file.append(static_cast<std::uint32_t>(place + 1), {reinterpret_cast<const char*>(numbers), bytes});
+    append(0, &head, sizeof head);
+    std::vector<double> rows(kRowsABlock * r.columns);
+    for (std::size_t block = 0; block < blocks_of(r); ++block) {
+      const auto [residuals, bytes] = block_of(r, block);
+      const std::size_t first = block * kRowsABlock;
+      fetch(x, first, std::min(r.rows, first + kRowsABlock), rows.data());
+      append(2 * block + 1, rows.data(), bytes);
+      append(2 * block + 2, residuals, bytes);
     }
   }
-  std::error_code error;
-  std::filesystem::rename(next, settings_.path, error);
-  if (error) output::fail_by(error.value(), settings_.path + ": cannot write: " + error.message());
+  if (ranks_.is_first()) {
+    std::error_code error;
+    std::filesystem::rename(next, settings_.path, error);
+    if (error) output::fail_by(error.value(), settings_.path + ": cannot write: " + error.message());
+  }
   last_ = Clock::now();
   cost_ = last_ - began;
 }
+
+void BounceCheckpoint::keep(const BounceState& state, const Panel& x, const Panel& r) { keep_rows(state, x, r); }
+void BounceCheckpoint::keep(const BounceState& state, const OwnRows& x, const Panel& r) { keep_rows(state, x, r); }
 
 }  // namespace sh::prt

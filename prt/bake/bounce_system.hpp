@@ -18,12 +18,17 @@ class BounceSystem {
 
   /// y = A x.
   void apply(const Panel& x, Panel& y);
+  /// x = A x, by way of `room`.
+  void advance(Panel& x, OwnRows& room);
   /// r = b - (I - A) x.
   void residual(const Panel& b, const Panel& x, Panel& r);
-  /// Fills in bound, residual, largest and spectral_bound of the report for an iterate and its residual.
+  /// Fills in bound, residual, largest and spectral_bound of the report for an iterate and its residual, of whose rows each
+  /// process needs its own.
   void certify(const Panel& x, const Panel& r);
-  /// Keeps a state from which the solver can go on, if it is time; `before`: of the series.
-  void keep(BounceState::Phase phase, double before, const Panel& x, const Panel& r) const {
+  void certify(const OwnRows& x, const Panel& r);
+  /// Keeps a state from which the solver can go on, if it is time; `before`: of the series. X: Panel or OwnRows.
+  template <class X>
+  void keep(BounceState::Phase phase, double before, const X& x, const Panel& r) const {
     if (checkpoint_ == nullptr) return;
     checkpoint_->keep({phase, static_cast<std::uint32_t>(report.applications), before}, x, r);
   }
@@ -32,9 +37,15 @@ class BounceSystem {
   /// True if the certified bound is within the tolerance.
   [[nodiscard]] bool is_solved() const;
 
+  [[nodiscard]] const Ranks& ranks() const { return factors_.ranks(); }
+
   BounceReport report;  // of the last certify()
 
  private:
+  template <class X>
+  void certify_rows(const X& x, const Panel& r);
+  void scale(Panel& y);
+
   const FormFactors& factors_;
   const std::vector<Eigen::Vector3f>& albedo_;
   const BounceLayout& layout_;

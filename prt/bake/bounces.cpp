@@ -2,9 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "prt/arrays.hpp"
 #include "prt/bake/bounce_system.hpp"
@@ -13,7 +16,6 @@ namespace sh::prt {
 
 namespace {
 
-constexpr std::size_t kChannels = BounceLayout::kChannels;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The largest absolute value in some columns.
@@ -38,9 +40,12 @@ struct Extremes {
   double largest_ratio = 0.0;  // of A y over y [Collatz42]
 };
 
-Extremes extremes(const Panel& x, const Panel& r, const BounceLayout& layout, std::size_t channel) {
+// Of the rows of this process.
+template <class X>
+Extremes extremes(const Ranks& ranks, const X& x, const Panel& r, const BounceLayout& layout, std::size_t channel) {
   Extremes e;
-  for (std::size_t v = 0; v < x.rows; ++v) {
+  for (std::size_t v = 0; v < r.rows; ++v) {
+    if (!ranks.owns(v)) continue;
     const double* xs = x.row(v) + layout.channel(channel);
     const double* rs = r.row(v) + layout.channel(channel);
     const std::size_t reflected = layout.count - layout.emitted;
@@ -54,6 +59,25 @@ Extremes extremes(const Panel& x, const Panel& r, const BounceLayout& layout, st
     e.largest_ratio = std::max(e.largest_ratio, 1.0 - s / y);
   }
   return e;
+}
+
+// Of the rows of all processes.
+void share(const Ranks& ranks, Extremes& e) {
+  if (ranks.count < 2) return;
+  const Extremes own = e;
+  for (std::size_t root = 0; root < ranks.count; ++root) {
+    std::array numbers = {own.reflected.x, own.reflected.r, own.emitted.x, own.emitted.r,
+                          own.largest_y,   own.least_y,     own.least_s,   own.largest_ratio};
+    ranks.broadcast(numbers.data(), numbers.size(), root);
+    e.reflected.x = std::max(e.reflected.x, numbers[0]);
+    e.reflected.r = std::max(e.reflected.r, numbers[1]);
+    e.emitted.x = std::max(e.emitted.x, numbers[2]);
+    e.emitted.r = std::max(e.emitted.r, numbers[3]);
+    e.largest_y = std::max(e.largest_y, numbers[4]);
+    e.least_y = std::min(e.least_y, numbers[5]);
+    e.least_s = std::min(e.least_s, numbers[6]);
+    e.largest_ratio = std::max(e.largest_ratio, numbers[7]);
+  }
 }
 
 // The ratio of the worse bound to the tolerance.
@@ -73,9 +97,27 @@ bool is_slow(int applications, double before, double now) {
   return !(rate < 1.0) || std::log(1.0 / now) / std::log(rate) > kManyMore;
 }
 
+// Calls each(first, last) for rows of this process, on all threads of the arena.
+template <class Each>
+void for_own_rows(const Ranks& ranks, std::size_t rows, const Each& each) {
+  static_assert(Ranks::kRowsAtOnce % kRowsAPart == 0);
+  for_rows(rows, [&](std::size_t first, std::size_t last) {
+    if (ranks.owns(first)) each(first, last);
+  });
+}
+
+// r = b - (I - A) x, in the rows of this process.
+void find_residual(BounceSystem& system, const OwnRows& b, const OwnRows& x, Panel& r, OwnRows& room) {
+  x.gather(r);
+  system.advance(r, room);
+  for_own_rows(system.ranks(), r.rows, [&](std::size_t first, std::size_t last) {
+    r.block(first, last) += b.block(first, last) - x.block(first, last);
+  });
+}
+
 // x is a partial sum and r the term after it, which is the residual of x. before: the excess of the sum before.
-void sum_series(BounceSystem& system, const BounceOptions& options, double before, Panel& x, Panel& r) {
-  Panel next(x.rows, x.columns);
+void sum_series(BounceSystem& system, const BounceOptions& options, double before, OwnRows& x, Panel& r,
+                OwnRows& room) {
   while (true) {
     system.certify(x, r);
     const double now = excess(system.report, options.tolerance);
@@ -84,9 +126,9 @@ void sum_series(BounceSystem& system, const BounceOptions& options, double befor
       return;
     }
     before = now;
-    for_rows(x.rows, [&](std::size_t first, std::size_t last) { x.block(first, last) += r.block(first, last); });
-    system.apply(r, next);
-    std::swap(r, next);
+    for_own_rows(system.ranks(), r.rows,
+                 [&](std::size_t first, std::size_t last) { x.block(first, last) += r.block(first, last); });
+    system.advance(r, room);
     system.keep(BounceState::Phase::kSeries, before, x, r);
   }
 }
@@ -103,17 +145,27 @@ void check_shapes(const FormFactors& factors, const std::vector<Eigen::Vector3f>
 
 }  // namespace
 
-void BounceSystem::apply(const Panel& x, Panel& y) {
-  factors_.apply(x, y);
-  for_rows(x.rows, [&](std::size_t first, std::size_t last) {
+// y = albedo y, one more application of A.
+void BounceSystem::scale(Panel& y) {
+  for_rows(y.rows, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
-      for (std::size_t c = 0; c < kChannels; ++c) {
+      for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) {
         const auto albedo = static_cast<double>(albedo_[v][c]);
         as_array(y.row(v) + layout_.channel(c), layout_.count + 1) *= albedo;
       }
     }
   });
   ++report.applications;
+}
+
+void BounceSystem::apply(const Panel& x, Panel& y) {
+  factors_.apply(x, y);
+  scale(y);
+}
+
+void BounceSystem::advance(Panel& x, OwnRows& room) {
+  factors_.advance(x, room);
+  scale(x);
 }
 
 void BounceSystem::residual(const Panel& b, const Panel& x, Panel& r) {
@@ -124,12 +176,14 @@ void BounceSystem::residual(const Panel& b, const Panel& x, Panel& r) {
 }
 
 // The bound counts the roundings of r: those of A x, and those of b and x, at most 4 u max |x|, u = 2^-53.
-void BounceSystem::certify(const Panel& x, const Panel& r) {
+template <class X>
+void BounceSystem::certify_rows(const X& x, const Panel& r) {
   const double rounding = factors_.rounding() + 4.0 * 0x1p-53;
   report.bound = report.residual = report.largest = report.spectral_bound = 0.0;
   report.emitted_bound = report.emitted_largest = 0.0;
-  for (std::size_t c = 0; c < kChannels; ++c) {
-    const Extremes e = extremes(x, r, layout_, c);
+  for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) {
+    Extremes e = extremes(ranks(), x, r, layout_, c);
+    share(ranks(), e);
     const double least_s = e.least_s - rounding * e.largest_y;
     const bool proves = e.least_y > 0.0 && least_s > 0.0;
     const double norm = proves ? e.largest_y / least_s : kInfinity;  // of (I - A)^-1
@@ -146,6 +200,9 @@ void BounceSystem::certify(const Panel& x, const Panel& r) {
   }
 }
 
+void BounceSystem::certify(const Panel& x, const Panel& r) { certify_rows(x, r); }
+void BounceSystem::certify(const OwnRows& x, const Panel& r) { certify_rows(x, r); }
+
 bool BounceSystem::may_go_on() const {
   return report.applications < options_.most_applications && std::chrono::steady_clock::now() < options_.deadline;
 }
@@ -155,38 +212,51 @@ bool BounceSystem::is_solved() const {
          report.emitted_bound <= options_.tolerance * report.emitted_largest;
 }
 
+// `light` is the only whole panel of the series: each term, and at the end the sum, of which a process keeps its own rows.
 BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::Vector3f>& albedo, BounceLayout layout,
-                           Panel& x, const BounceOptions& options, BounceCheckpoint* checkpoint) {
-  check_shapes(factors, albedo, layout, x, options);
-  for (std::size_t v = 0; v < x.rows; ++v) {
-    for (std::size_t c = 0; c < kChannels; ++c) x.row(v)[layout.channel(c) + layout.count] = 1.0;
+                           Panel& light, const BounceOptions& options, BounceCheckpoint* checkpoint) {
+  check_shapes(factors, albedo, layout, light, options);
+  for (std::size_t v = 0; v < light.rows; ++v) {
+    for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) light.row(v)[layout.channel(c) + layout.count] = 1.0;
   }
+  const Ranks& ranks = factors.ranks();
   BounceSystem system(factors, albedo, layout, options, checkpoint);
   BounceReport& report = system.report;
-  const Panel b = x;
-  Panel r(x.rows, x.columns);
+  const OwnRows b(ranks, light);
+  OwnRows x = b;
+  Panel& r = light;
+  std::optional<OwnRows> room(std::in_place, ranks, light.rows, light.columns);
   const std::optional<BounceState> kept = checkpoint == nullptr ? std::nullopt : checkpoint->load(x, r);
   if (kept) {
     report.applications = static_cast<int>(kept->applications);
   } else {
-    system.apply(x, r);
+    system.advance(r, *room);
   }
   const bool is_in_krylov = kept && kept->phase == BounceState::Phase::kKrylov;
   if (options.solver != BounceSolver::kKrylov && !is_in_krylov) {
     report.solver = "series";
     double before = kInfinity;
     if (kept) before = kept->before;
-    sum_series(system, options, before, x, r);
+    sum_series(system, options, before, x, r, *room);
     if (system.is_solved() && report.applications > 1) {  // the last term is the residual up to the terms' roundings
-      system.residual(b, x, r);
+      find_residual(system, b, x, r, *room);
       system.certify(x, r);
     }
   } else {
     system.certify(x, r);
   }
+  room.reset();
   if (!system.is_solved() && options.solver != BounceSolver::kSeries) {
     report.solver = "bicgstab";
-    solve_krylov(system, b, x, r);
+    exchange(ranks, r);
+    Panel all_b(r.rows, r.columns);
+    Panel all_x(r.rows, r.columns);
+    b.gather(all_b);
+    x.gather(all_x);
+    solve_krylov(system, all_b, all_x, r);
+    light = std::move(all_x);
+  } else {
+    x.gather(light);
   }
   const bool is_late = std::chrono::steady_clock::now() >= options.deadline;
   report.certified = system.is_solved() || (is_late && std::isfinite(report.bound));

@@ -30,10 +30,10 @@ struct BounceLayout {
   [[nodiscard]] std::size_t columns() const { return channel(kChannels); }
 };
 
-/// On input x holds b in the columns of the right sides; on output it holds the solution. albedo (vertices), linear
+/// On input `light` holds b in the columns of the right sides; on output it holds the solution. albedo (vertices), linear
 /// RGB, 0..1. The same bits for any number of threads, and where the solver goes on from a checkpoint. Throws
 /// std::invalid_argument if shapes differ or the tolerance is not positive, and like BounceCheckpoint.
 BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::Vector3f>& albedo, BounceLayout layout,
-                           Panel& x, const BounceOptions& options = {}, BounceCheckpoint* checkpoint = nullptr);
+                           Panel& light, const BounceOptions& options = {}, BounceCheckpoint* checkpoint = nullptr);
 
 }  // namespace sh::prt

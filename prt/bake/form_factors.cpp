@@ -64,15 +64,9 @@ double FormFactors::rounding() const {
   return 0x1p-53 * static_cast<double>(rows_.size() + 1) * (1.0 + fill_.condition());
 }
 
-// Each process tells its rows to all others.
-void FormFactors::exchange(Panel& y) const {
-  for (std::size_t first = 0; first < y.rows; first += Ranks::kRowsAtOnce) {
-    const std::size_t last = std::min(y.rows, first + Ranks::kRowsAtOnce);
-    ranks_.broadcast(y.row(first), (last - first) * y.columns, ranks_.owner(first));
-  }
-}
-
-void FormFactors::apply(const Panel& x, Panel& y) const {
+// The rows of this process.
+template <class Rows>
+void FormFactors::multiply(const Panel& x, Rows& y) const {
   in_parallel(tbb::blocked_range<std::size_t>(0, rows_.size(), kVerticesPerTask), [&](const auto& part) {
     output::check_interrupt();
     RowMaker make;
@@ -82,8 +76,18 @@ void FormFactors::apply(const Panel& x, Panel& y) const {
       sum_row(kept_[v] != 0 ? rows_[v] : make(v), x.values.data(), x.columns, y.row(v));
     }
   });
-  if (ranks_.count > 1) exchange(y);
+}
+
+void FormFactors::apply(const Panel& x, Panel& y) const {
+  multiply(x, y);
+  exchange(ranks_, y);
   fill_.apply(y.values.data(), y.columns, y.columns);
+}
+
+void FormFactors::advance(Panel& x, OwnRows& room) const {
+  multiply(x, room);
+  ranks_.count > 1 ? room.gather(x) : room.swap(x);
+  fill_.apply(x.values.data(), x.columns, x.columns);
 }
 
 }  // namespace sh::prt

@@ -9,32 +9,10 @@
 #include <vector>
 
 #include "prt/bake/fill_closed.hpp"
+#include "prt/bake/panel.hpp"
 #include "prt/bake/ranks.hpp"
 
 namespace sh::prt {
-
-/// A table of numbers with one row a vertex; its columns are right sides of a linear system that are solved together.
-/// (rows, columns) doubles, row-major; the number of columns is a multiple of kUnit, so that they fill whole SIMD
-/// registers.
-struct Panel {
-  static constexpr std::size_t kUnit = 8;
-
-  Panel(std::size_t row_count, std::size_t least_columns)
-      : rows(row_count), columns((least_columns + kUnit - 1) / kUnit * kUnit), values(rows * columns, 0.0) {}
-  double* row(std::size_t r) { return values.data() + r * columns; }
-  [[nodiscard]] const double* row(std::size_t r) const { return values.data() + r * columns; }
-  /// The rows first .. last - 1, transposed.
-  Eigen::Map<Eigen::ArrayXXd> block(std::size_t first, std::size_t last) {
-    return {row(first), Eigen::Index(columns), Eigen::Index(last - first)};
-  }
-  [[nodiscard]] Eigen::Map<const Eigen::ArrayXXd> block(std::size_t first, std::size_t last) const {
-    return {row(first), Eigen::Index(columns), Eigen::Index(last - first)};
-  }
-
-  std::size_t rows;
-  std::size_t columns;
-  std::vector<double> values;
-};
 
 /// One entry of a row, made by merging the hits of one vertex at the corners of the hit faces. The light that leaves
 /// `vertex` counts with `weight`, the sum over hits of (part of the cosine) * (barycentric coordinate). Weights are
@@ -66,11 +44,14 @@ class FormFactors {
   /// y = K x: y_v = sum over the row of v of weight * x_vertex; both (vertices, columns). The same bits for any number
   /// of threads.
   void apply(const Panel& x, Panel& y) const;
+  /// x = K x, by way of `room`.
+  void advance(Panel& x, OwnRows& room) const;
 
   /// The largest error of a number of y that apply() makes by rounding, over the largest number of x.
   [[nodiscard]] double rounding() const;
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  [[nodiscard]] const Ranks& ranks() const { return ranks_; }
   [[nodiscard]] bool is_kept(std::size_t vertex) const { return kept_[vertex] != 0; }
   [[nodiscard]] const FormFactorRow& row(std::size_t vertex) const { return rows_[vertex]; }  // empty if not kept
 
@@ -83,7 +64,8 @@ class FormFactors {
   Ranks ranks_;
   Fill fill_;
 
-  void exchange(Panel& y) const;
+  template <class Rows>
+  void multiply(const Panel& x, Rows& y) const;
 };
 
 }  // namespace sh::prt

@@ -1,6 +1,8 @@
-// The processes that solve the bounces of one bake together. Each keeps the form factors of its own vertices and multiplies
-// with them; everything else is the same in each, so that no result depends on how many there are.
+// The processes that solve the bounces of one bake together. Each keeps the form factors of its own vertices, multiplies with
+// them and keeps its own rows of sums (panel.hpp); the rest is the same in each, so that no result depends on how many there
+// are.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -18,6 +20,16 @@ struct Ranks {
   [[nodiscard]] bool is_first() const { return index == 0; }
   [[nodiscard]] std::size_t owner(std::size_t vertex) const { return vertex / kRowsAtOnce % count; }
   [[nodiscard]] bool owns(std::size_t vertex) const { return owner(vertex) == index; }
+  /// How many of the vertices 0..vertices-1 this process owns.
+  [[nodiscard]] std::size_t owned(std::size_t vertices) const {
+    const std::size_t rest = vertices % (kRowsAtOnce * count);
+    const std::size_t before = std::min(rest, kRowsAtOnce * index);
+    return vertices / (kRowsAtOnce * count) * kRowsAtOnce + std::min(rest - before, kRowsAtOnce);
+  }
+  /// The place of an owned vertex among them.
+  [[nodiscard]] std::size_t place(std::size_t vertex) const {
+    return vertex / (kRowsAtOnce * count) * kRowsAtOnce + vertex % kRowsAtOnce;
+  }
 };
 
 }  // namespace sh::prt

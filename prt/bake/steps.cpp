@@ -18,7 +18,6 @@ namespace sh::prt {
 
 namespace {
 
-constexpr std::size_t kChannels = BounceLayout::kChannels;
 constexpr double kNoticedCut = 1e-3;  // of the light of a vertex
 
 void report(const BakeRun& run, const std::string& flaw) {
@@ -114,7 +113,7 @@ Panel direct_light(const Mesh& mesh, const Transfer& transfer, const BounceLayou
   Panel x(mesh.positions.size(), layout.columns());
   const std::size_t count = transfer.shape.count();
   for (std::size_t v = 0; v < x.rows; ++v) {
-    for (std::size_t c = 0; c < kChannels; ++c) {
+    for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) {
       const auto albedo = static_cast<double>(mesh.albedo[v][c]);
       double* own = x.row(v) + layout.channel(c);
       as_array(own, count) = albedo * as_array(transfer.row(v), count).cast<double>();
@@ -132,7 +131,7 @@ void take_solution(const Panel& x, const BounceLayout& layout, Transfer& transfe
   transfer.coefficients.resize(x.rows * transfer.shape.length());
   const std::size_t count = transfer.shape.count();
   for (std::size_t v = 0; v < x.rows; ++v) {
-    for (std::size_t c = 0; c < kChannels; ++c) {
+    for (std::size_t c = 0; c < BounceLayout::kChannels; ++c) {
       const double* values = x.row(v) + layout.channel(c);
       as_array(transfer.row(v) + c * count, count) = as_array(values, count).cast<float>();
       if (layout.emitted > 0) transfer.emitted[v][c] = static_cast<float>(values[count]);
@@ -175,6 +174,7 @@ void add_bounces(BakeRun& run) {
       bounce_key(bake_key(scene, transfer.instruction_set, run.open), scene.bake.bounces, scene.mesh.albedo, x),
       run.settings.ranks);
   transfer.bounces = solve_bounces(*run.factors, scene.mesh.albedo, layout, x, scene.bake.bounces, &checkpoint);
+  run.factors.reset();  // their memory serves what follows
   transfer.bounces.directions = static_cast<std::uint32_t>(scene.bake.fewer_for_bounces());
   if (!run.settings.ranks.is_first()) return;
   check_bounces(run);

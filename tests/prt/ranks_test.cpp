@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -101,6 +102,33 @@ TEST(Ranks, OwnEveryVertexOnceAndShareThemEvenly) {
     std::vector<std::size_t> owned(count);
     for (std::size_t v = 0; v < 7 * 3 * 2 * Ranks::kRowsAtOnce; ++v) ++owned[Ranks{0, count, {}}.owner(v)];
     for (const std::size_t own : owned) EXPECT_EQ(own, owned[0]) << count;
+  }
+}
+
+TEST(Ranks, KeepTheirOwnRowsOneAfterTheOther) {
+  for (const std::size_t count : {1U, 2U, 3U, 7U}) {
+    for (const std::size_t vertices : {0U, 1U, 255U, 256U, 257U, 511U, 512U, 1500U, 5000U}) {
+      Panel whole(vertices, 8);
+      for (std::size_t i = 0; i < whole.values.size(); ++i) whole.values[i] = static_cast<double>(i);
+      std::vector<std::size_t> owned(count);
+      Threads(count).run([&](const Ranks& ranks) {
+        for (std::size_t v = 0; v < vertices; ++v) {
+          if (!ranks.owns(v)) continue;
+          EXPECT_EQ(ranks.place(v), owned[ranks.index]++) << v << " of " << count;
+        }
+        EXPECT_EQ(ranks.owned(vertices), owned[ranks.index]) << vertices << " of " << count;
+        OwnRows own(ranks, whole);
+        for (std::size_t v = 0; v < vertices; ++v) {
+          if (ranks.owns(v)) own.row(v)[3] = -1.0;
+        }
+        Panel gathered(vertices, 8);
+        own.gather(gathered);
+        for (std::size_t i = 0; i < gathered.values.size(); ++i) {
+          ASSERT_EQ(gathered.values[i], i % 8 == 3 ? -1.0 : static_cast<double>(i)) << i << " of " << count;
+        }
+      });
+      EXPECT_EQ(std::accumulate(owned.begin(), owned.end(), std::size_t{0}), vertices);
+    }
   }
 }
 
@@ -200,11 +228,11 @@ TEST(BounceCheckpoint, IsOfOneSystemAndDeletesNoFileOfTheUser) {
     BounceCheckpoint(settings, key, one).keep({.applications = 5}, x, r);
   };
   const auto loaded = [&](const BounceCheckpointSettings& settings, const std::string& key) {
-    Panel kept_x(3, 8);
-    Panel kept_r(3, 8);
     const Ranks one;
+    OwnRows kept_x(one, 3, 8);
+    Panel kept_r(3, 8);
     const auto state = BounceCheckpoint(settings, key, one).load(kept_x, kept_r);
-    EXPECT_EQ(kept_x.values.back(), state ? 7.0 : 0.0);
+    EXPECT_EQ(kept_x.row(2)[7], state ? 7.0 : 0.0);
     return state ? static_cast<int>(state->applications) : -1;
   };
   keep({.path = file, .seconds = 0.0}, R"({"tolerance":1})");
