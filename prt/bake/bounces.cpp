@@ -222,7 +222,7 @@ BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::
   const Ranks& ranks = factors.ranks();
   BounceSystem system(factors, albedo, layout, options, checkpoint);
   BounceReport& report = system.report;
-  const OwnRows b(ranks, light);
+  OwnRows b(ranks, light);
   OwnRows x = b;
   Panel& r = light;
   std::optional<OwnRows> room(std::in_place, ranks, light.rows, light.columns);
@@ -249,10 +249,8 @@ BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::
   if (!system.is_solved() && options.solver != BounceSolver::kSeries) {
     report.solver = "bicgstab";
     exchange(ranks, r);
-    Panel all_b(r.rows, r.columns);
-    Panel all_x(r.rows, r.columns);
-    b.gather(all_b);
-    x.gather(all_x);
+    const Panel all_b = b.take_whole();
+    Panel all_x = x.take_whole();
     solve_krylov(system, all_b, all_x, r);
     light = std::move(all_x);
   } else {

@@ -56,6 +56,8 @@ class OwnRows {
   /// The rows first .. last - 1 of all processes, which call it together. first: a multiple of Ranks::kRowsAtOnce.
   void gather(std::size_t first, std::size_t last, double* to) const;
   void gather(Panel& whole) const { gather(0, rows_, whole.values.data()); }
+  /// The whole panel; nothing is left here.
+  Panel take_whole();
   /// Exchanges its numbers with a panel of one process.
   void swap(Panel& whole) noexcept { std::swap(whole.values, panel_.values); }
 
