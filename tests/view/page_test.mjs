@@ -220,7 +220,11 @@ test('Coefficients of prt project that are dropped on the page light it', async 
     ]) {
       await drop(page, name, text);
       await page.waitForFunction((part) => document.getElementById('message').textContent.startsWith(part), line);
+      await set(page, { yaw: name === 'a.json' ? 20 : 40 });
+      assert.ok((await message(page)).startsWith(line), 'it stays when the view turns');
     }
+    await set(page, { light: 'cap' });
+    assert.equal(await message(page), '', 'another light needs no word');
   });
 });
 

@@ -65,7 +65,10 @@ class Viewer {
   set(changes) {
     const lightChanges = changes.light !== undefined && changes.light !== this.state.light;
     this.state = this.valid({ ...this.state, ...changes });
-    if (lightChanges) this.exposureIsKnown = false;
+    if (lightChanges) {
+      this.exposureIsKnown = false;
+      this.refused = '';
+    }
     this.panel.show(this.state);
     showTheme(this.state);
     clearTimeout(this.saving);
@@ -135,7 +138,8 @@ class Viewer {
 
   relightShown() {
     const { dropped } = this.lighting;
-    tell(this.state.light === 'dropped' && dropped?.light.flaw ? `${dropped.name}: ${dropped.light.flaw}` : '');
+    const flaw = this.state.light === 'dropped' && dropped?.light.flaw ? `${dropped.name}: ${dropped.light.flaw}` : '';
+    tell(this.refused || flaw);
     for (const subject of this.state.compare === 'none' ? [this.first] : [this.first, this.second]) {
       try {
         this.relight(subject);
@@ -184,7 +188,9 @@ class Viewer {
     this.set({ vertex: this.first.pick(this.state, rayThrough(this.state, this.aspect, (2 * x) / this.canvas.clientWidth - 1, 1 - (2 * y) / this.canvas.clientHeight)) });
   }
 
+  // Why a file is refused stays until the next one, or another light.
   async drop(file) {
+    this.refused = '';
     try {
       this.lighting.dropped = { name: file.name, light: await lightOfFile(this.lighting.page, file, this.data.served) };
       this.panel.build(this.state);
@@ -192,7 +198,8 @@ class Viewer {
       this.set({ light: 'dropped' });
     } catch (error) {
       if (!(error instanceof FileError)) throw error;
-      tell(`${file.name}: ${error.message}`);
+      this.refused = `${file.name}: ${error.message}`;
+      this.invalidate();
     }
   }
 
