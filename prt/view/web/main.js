@@ -191,6 +191,7 @@ class Viewer {
   // Why a file is refused stays until the next one, or another light.
   async drop(file) {
     this.refused = '';
+    tell('');
     try {
       this.lighting.dropped = { name: file.name, light: await lightOfFile(this.lighting.page, file, this.data.served) };
       this.panel.build(this.state);
