@@ -174,6 +174,7 @@ void add_bounces(BakeRun& run) {
       bounce_key(bake_key(scene, transfer.instruction_set, run.open), scene.bake.bounces, scene.mesh.albedo, x),
       run.settings.ranks);
   transfer.bounces = solve_bounces(*run.factors, scene.mesh.albedo, layout, x, scene.bake.bounces, &checkpoint);
+  run.found->factors = nullptr;
   run.factors.reset();  // their memory serves what follows
   transfer.bounces.directions = static_cast<std::uint32_t>(scene.bake.fewer_for_bounces());
   if (!run.settings.ranks.is_first()) return;
