@@ -55,6 +55,112 @@ std::string size_in_code(int size, int degree) {
   return size % count == 0 ? "{" + std::to_string(size / count) + ", 0}" : "{0, " + std::to_string(size) + "}";
 }
 
+// The names of a table of every instruction set and of that with the narrow ones.
+struct Tables {
+  std::string every;
+  std::string narrow;
+};
+
+Tables direct_tables(const Driver& driver, const Overload& types) {
+  const std::string name = "detail::" + table_of_direct(driver, types.scalar);
+  return {name, name + "_narrow"};
+}
+
+const Tables kRuns{"kEvery", "kNarrow"};
+
+// "degree <= 9 ? kNarrow : kEvery"
+std::string chosen(const Driver& driver, const Tables& tables) {
+  if (driver.spec.narrow < 0) return tables.every;
+  return "degree <= " + std::to_string(driver.spec.narrow) + " ? " + tables.narrow + " : " + tables.every;
+}
+
+// `type` kEvery[] = SH_BATCH_EVERY(`name`); the same of kNarrow if the driver has it.
+std::string definitions(const Driver& driver, const Tables& tables, const std::string& type, const std::string& name) {
+  std::string text = type + " " + tables.every + "[] = SH_BATCH_EVERY(" + name + ");\n";
+  if (driver.spec.narrow >= 0) text += type + " " + tables.narrow + "[] = SH_BATCH_NARROW(" + name + ");\n";
+  return text;
+}
+
+bool is_direct(const Driver& driver, const Overload& types) { return driver.spec.groups && types.first != "Half"; }
+
+// AnyCall of direct.hpp.
+std::string any_signature(const Driver& driver, const std::string& scalar, const std::string& prefix = {}) {
+  return filled("void $function(int degree, std::size_t n, const $t* a, const $t* $b, $t* out, Layouts layouts)",
+                {{"function", prefix + "run_" + driver.name},
+                 {"t", scalar},
+                 {"b", signature_of(driver.last()).inputs.size() > 1 ? "b" : "/*b*/"}});
+}
+
+// The loops of a driver over plain records in the caller: at degrees that add nothing, so that every compiler rounds alike.
+std::string loop_in_caller(const Driver& driver) {
+  const Kernel& kernel = driver.last();
+  const RecordSignature s = signature_of(kernel);
+  std::string parameters, records;
+  for (const Record& record : s.inputs) {
+    parameters += ", const T* " + record.name;
+    records += (records.empty() ? "" : ", ") + record.name + " + i * " + size_in_degree(record.size, kernel);
+  }
+  return filled(R"(template <int Degree, class T>
+[[gnu::always_inline]] inline void loop_$name(std::size_t n$parameters, T* to) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const T* const in[] = {$records};
+    T* const out = to + i * $size;
+    $call
+  }
+}
+)",
+                {{"name", driver.name},
+                 {"parameters", parameters},
+                 {"records", records},
+                 {"size", size_in_degree(s.out_size, kernel)},
+                 {"call", call_of(kernel)}});
+}
+
+// A driver whose calls need none where records are all plain or in whole blocks.
+std::string direct_function(const Driver& driver, const Overload& types) {
+  const RecordSignature s = signature_of(driver.last());
+  std::string inputs, arrays, loops;
+  for (const Record& record : s.inputs) {
+    inputs += ", " + record.name;
+    arrays += ", " + record.name + ".data";
+  }
+  for (int degree = 0; degree <= last_without_sums(driver); ++degree) {
+    loops += filled("    if (degree == $degree) return detail::loop_$name<$degree>(n$arrays, $out.data);\n",
+                    {{"degree", std::to_string(degree)}, {"name", driver.name}, {"arrays", arrays}, {"out", s.out}});
+  }
+  return filled(R"([[gnu::always_inline]] inline $signature {
+  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, $out$inputs)) {
+$loops  }
+  const auto* every = $every;
+  detail::run_direct<$t>(every, detail::run_$name, degree, $degree, n, $out$inputs);
+}
+)",
+                {{"signature", public_signature(driver, types)},
+                 {"loops", loops},
+                 {"t", types.scalar},
+                 {"every", chosen(driver, direct_tables(driver, types))},
+                 {"degree", std::to_string(driver.last().degree)},
+                 {"name", driver.name},
+                 {"out", s.out},
+                 {"inputs", inputs}});
+}
+
+// The tables that these functions choose from, and what they call otherwise.
+std::string direct_declarations(const std::vector<Driver>& drivers) {
+  std::string text;
+  for (const Driver& driver : drivers) {
+    if (driver.spec.groups) text += loop_in_caller(driver);
+    for (const Overload& types : overloads(driver)) {
+      if (!is_direct(driver, types)) continue;
+      const std::string name = table_of_direct(driver, types.scalar);
+      const std::string type = "extern const DirectKernels<" + types.scalar + ">* const ";
+      text += type + name + "[];\n" + (driver.spec.narrow < 0 ? "" : type + name + "_narrow[];\n");
+      text += any_signature(driver, types.scalar) + ";\n";
+    }
+  }
+  return text;
+}
+
 std::string declaration(const Driver& driver) {
   const Kernel& kernel = driver.last();
   const RecordSignature s = signature_of(kernel);
@@ -78,61 +184,40 @@ std::string declaration(const Driver& driver) {
     text += filled("/// Single calls go on to degree $last: sh::$name<$last>.\n",
                    {{"last", std::to_string(driver.further)}, {"name", driver.name}});
   }
-  for (const Overload& types : overloads(driver)) text += public_signature(driver, types) + ";\n";
+  for (const Overload& types : overloads(driver)) {
+    text += is_direct(driver, types) ? direct_function(driver, types) : public_signature(driver, types) + ";\n";
+  }
   return text;
 }
 
 std::string drivers_header(const std::vector<Driver>& drivers) {
-  std::string declarations;
-  for (const Driver& driver : drivers) declarations += declaration(driver);
+  std::string declarations, includes;
+  for (const Driver& driver : drivers) {
+    declarations += declaration(driver);
+    if (driver.spec.groups) includes += "#include \"../cpp/" + driver.name + ".hpp\"\n";
+  }
   return filled(R"(// Kernels over n records, for batch.hpp.
 //
 $stamp#pragma once
 
+$includes#include "direct.hpp"
 #include "records.hpp"
 
 namespace sh::batch {
+
+namespace detail {
+$direct}  // namespace detail
 $declarations
 }  // namespace sh::batch
 )",
-                {{"stamp", kStamp}, {"declarations", declarations}});
+                {{"stamp", kStamp},
+                 {"includes", includes},
+                 {"direct", direct_declarations(drivers)},
+                 {"declarations", declarations}});
 }
 
-// "NAME[] = SH_BATCH_EVERY(table);" of a driver, and which of its tables serves.
-struct Tables {
-  std::string definition;
-  std::string chosen;
-};
-
-Tables tables_of(const Driver& driver, const std::string& type, const std::string& name, const std::string& table) {
-  Tables tables{"  static constexpr " + type + " " + name + "[] = SH_BATCH_EVERY(" + table + ");\n", name};
-  if (driver.spec.narrow >= 0) {
-    tables.definition += "  static constexpr " + type + " " + name + "Narrow[] = SH_BATCH_NARROW(" + table + ");\n";
-    tables.chosen = "degree <= " + std::to_string(driver.spec.narrow) + " ? " + name + "Narrow : " + name;
-  }
-  return tables;
-}
-
-// The way that needs no driver; empty if there is none.
-std::string direct_call(const Driver& driver, const Overload& types) {
-  if (!driver.spec.groups || types.first == "Half") return {};
-  std::string inputs;
-  for (const Record& record : signature_of(driver.last()).inputs) inputs += ", " + record.name;
-  const Tables tables = tables_of(driver, "const detail::DirectKernels<" + types.scalar + ">*", "kDirect",
-                                  table_of_direct(driver, types.scalar));
-  return filled(R"($tables  if (detail::run_direct($chosen, degree, $degree, n, $out$inputs)) return;
-)",
-                {{"tables", tables.definition},
-                 {"chosen", tables.chosen},
-                 {"degree", std::to_string(driver.last().degree)},
-                 {"out", signature_of(driver.last()).out},
-                 {"inputs", inputs}});
-}
-
-std::string definition(const Driver& driver, const Overload& types) {
-  const Kernel& kernel = driver.last();
-  const RecordSignature s = signature_of(kernel);
-  const bool half = types.first == "Half";
+// The arguments of a call as a driver takes them, half: input 0 of binary16.
+std::string arguments_of(const RecordSignature& s, bool half) {
   std::string inputs;
   for (std::size_t j = 0; j < s.inputs.size(); ++j) {
     const std::string& name = s.inputs[j].name;
@@ -140,24 +225,37 @@ std::string definition(const Driver& driver, const Overload& types) {
                                       : s.inputs[j].shared ? "shared(" + name + ")"
                                                            : name);
   }
-  const Tables tables = tables_of(driver, "detail::Run<" + types.scalar + ">", "kEvery", driver.name);
-  return filled(R"(
-$signature {
-$direct$tables  detail::run<$t>("$name", $chosen, {degree, n, {$inputs}, $out$half}, $count, $degree, $size);
+  return "{" + inputs + "}, " + (s.sums ? "plain(" + s.out + ")" : s.out) +
+         (half ? ", " + s.inputs[0].name + ".data" : "");
+}
+
+std::string definition(const Driver& driver, const Overload& types) {
+  const Kernel& kernel = driver.last();
+  const RecordSignature s = signature_of(kernel);
+  std::string tables, signature = public_signature(driver, types), arguments = arguments_of(s, types.first == "Half");
+  if (is_direct(driver, types)) {
+    const std::string type = "const detail::DirectKernels<" + types.scalar + ">* const";
+    tables = definitions(driver, direct_tables(driver, types), type, table_of_direct(driver, types.scalar)) + "\n";
+    signature = any_signature(driver, types.scalar, "detail::");
+    arguments = s.inputs.size() > 1 ? "{{a, layouts.a}, {b, layouts.b}}" : "{{a, layouts.a}}";
+    arguments += ", {out, layouts.out}";
+  }
+  return filled(
+      R"(
+$tables$signature {
+$every  detail::run<$t>("$name", $chosen, {degree, n, $arguments}, $count, $degree, $size);
 }
 )",
-                {{"signature", public_signature(driver, types)},
-                 {"direct", direct_call(driver, types)},
-                 {"tables", tables.definition},
-                 {"chosen", tables.chosen},
-                 {"t", types.scalar},
-                 {"name", driver.name},
-                 {"inputs", inputs},
-                 {"out", s.sums ? "plain(" + s.out + ")" : s.out},
-                 {"half", half ? ", " + s.inputs[0].name + ".data" : ""},
-                 {"count", std::to_string(s.inputs.size())},
-                 {"degree", std::to_string(kernel.degree)},
-                 {"size", s.sums ? "{0, 0}" : size_in_code(s.out_size, kernel.degree)}});
+      {{"tables", tables},
+       {"signature", signature},
+       {"every", definitions(driver, kRuns, "  static constexpr detail::Run<" + types.scalar + ">", driver.name)},
+       {"chosen", chosen(driver, kRuns)},
+       {"t", types.scalar},
+       {"name", driver.name},
+       {"arguments", arguments},
+       {"count", std::to_string(s.inputs.size())},
+       {"degree", std::to_string(kernel.degree)},
+       {"size", s.sums ? "{0, 0}" : size_in_code(s.out_size, kernel.degree)}});
 }
 
 std::string drivers_file(const std::vector<Driver>& drivers) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "numeric/oracle/index.hpp"
+
 namespace sh::codegen::print {
 namespace {
 
@@ -54,6 +56,22 @@ std::string call_of(const Kernel& kernel) {
   const std::string count =
       kernel.results.size() > 1 ? "constexpr int kCount = (Degree + 1) * (Degree + 1);\n    " : "";
   return count + call + ");";
+}
+
+int last_without_sums(const Driver& driver) {
+  int degree = -1;
+  for (const FinishedKernel& finished : driver.kernels) {
+    const Cost of_kernel = cost(finished.kernel);
+    if (of_kernel.add + of_kernel.fma > 0) break;
+    degree = finished.kernel.degree;
+  }
+  return degree;
+}
+
+std::string size_in_degree(int size, const Kernel& kernel) {
+  const int count = numeric::coefficient_count(kernel.degree);
+  if (size % count != 0) return std::to_string(size);
+  return (size == count ? "" : std::to_string(size / count) + " * ") + "((Degree + 1) * (Degree + 1))";
 }
 
 std::vector<Driver> drivers_of(const std::vector<WrittenFamily>& families) {

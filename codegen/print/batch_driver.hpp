@@ -40,6 +40,9 @@ RecordSignature signature_of(const Kernel& kernel);
 /// "sh::rotate<Degree>(in[0], in[1], out);". Several results have bands^2 values each and follow each other.
 std::string call_of(const Kernel& kernel);
 
+/// The size of a record in terms of Degree, in code: "4 * ((Degree + 1) * (Degree + 1))".
+std::string size_in_degree(int size, const Kernel& kernel);
+
 /// A driver and the families that it runs.
 struct Driver {
   std::string name;  // of the driver and of the family whose kernels it runs
@@ -54,6 +57,9 @@ struct Driver {
   [[nodiscard]] bool adds_parts() const { return parts != nullptr && finish != nullptr; }
   [[nodiscard]] const Kernel& last() const { return kernels.back().kernel; }
 };
+
+/// The largest degree to which the kernels of a driver add nothing: every compiler rounds them alike. -1: there is none.
+int last_without_sums(const Driver& driver);
 
 /// The drivers of all families that have one.
 std::vector<Driver> drivers_of(const std::vector<WrittenFamily>& families);

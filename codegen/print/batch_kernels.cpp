@@ -86,13 +86,6 @@ $body}
                  {"body", has_stages ? in_stages(kernel, loop, statement) : statement}});
 }
 
-// The size of a record in terms of Degree.
-std::string size_in_degree(int size, const Kernel& kernel) {
-  const int count = numeric::coefficient_count(kernel.degree);
-  if (size % count != 0) return std::to_string(size);
-  return (size == count ? "" : std::to_string(size / count) + " * ") + "((Degree + 1) * (Degree + 1))";
-}
-
 // Kernels of plain records, one by one and by groups, and what chooses between them; of whole blocks.
 std::string record_kernels(const Kernel& kernel) {
   const RecordSignature s = signature_of(kernel);
@@ -108,8 +101,10 @@ std::string record_kernels(const Kernel& kernel) {
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* $b, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
     const One<T>* const in[] = {$inputs};
-    auto* out = reinterpret_cast<One<T>*>(to) + i * $size;
+    RecordValues<$size, T> record(to + i * $size);
+    One<T>* const out = record.values();
     $call
+    record.keep();
   }
 }
 

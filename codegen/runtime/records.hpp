@@ -30,7 +30,7 @@ enum class Half : std::uint16_t {};
 template <class T>
 inline constexpr std::size_t kBlock = 64 / sizeof(T);
 
-enum class Layout { kPlain, kBlocked, kShared };
+enum class Layout : std::uint8_t { kPlain, kBlocked, kShared };
 
 /// An array of records and how it is laid out.
 template <class T>

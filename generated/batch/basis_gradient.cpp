@@ -22,9 +22,11 @@ template <int Degree, class T>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* /*b*/, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
     const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a) + i * 3};
-    auto* out = reinterpret_cast<One<T>*>(to) + i * 4 * ((Degree + 1) * (Degree + 1));
+    RecordValues<4 * ((Degree + 1) * (Degree + 1)), T> record(to + i * 4 * ((Degree + 1) * (Degree + 1)));
+    One<T>* const out = record.values();
     constexpr int kCount = (Degree + 1) * (Degree + 1);
     sh::basis_gradient<Degree>(in[0][0], in[0][1], in[0][2], out, out + kCount, out + 2 * kCount, out + 3 * kCount);
+    record.keep();
   }
 }
 

@@ -125,50 +125,50 @@ template <class T>
 void relight_colored(const detail::Call<T>& call);
 }  // namespace avx512
 
-void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
-  static constexpr const detail::DirectKernels<float>* kDirect[] = SH_BATCH_EVERY(basis_float);
-  static constexpr const detail::DirectKernels<float>* kDirectNarrow[] = SH_BATCH_NARROW(basis_float);
-  if (detail::run_direct(degree <= 9 ? kDirectNarrow : kDirect, degree, 10, n, out, directions)) return;
+const detail::DirectKernels<float>* const detail::basis_float[] = SH_BATCH_EVERY(basis_float);
+const detail::DirectKernels<float>* const detail::basis_float_narrow[] = SH_BATCH_NARROW(basis_float);
+
+void detail::run_basis(int degree, std::size_t n, const float* a, const float* /*b*/, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(basis);
-  static constexpr detail::Run<float> kEveryNarrow[] = SH_BATCH_NARROW(basis);
-  detail::run<float>("basis", degree <= 9 ? kEveryNarrow : kEvery, {degree, n, {directions}, out}, 1, 10, {1, 0});
+  static constexpr detail::Run<float> kNarrow[] = SH_BATCH_NARROW(basis);
+  detail::run<float>("basis", degree <= 9 ? kNarrow : kEvery, {degree, n, {{a, layouts.a}}, {out, layouts.out}}, 1, 10, {1, 0});
 }
 
-void basis(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
-  static constexpr const detail::DirectKernels<double>* kDirect[] = SH_BATCH_EVERY(basis_double);
-  static constexpr const detail::DirectKernels<double>* kDirectNarrow[] = SH_BATCH_NARROW(basis_double);
-  if (detail::run_direct(degree <= 9 ? kDirectNarrow : kDirect, degree, 10, n, out, directions)) return;
+const detail::DirectKernels<double>* const detail::basis_double[] = SH_BATCH_EVERY(basis_double);
+const detail::DirectKernels<double>* const detail::basis_double_narrow[] = SH_BATCH_NARROW(basis_double);
+
+void detail::run_basis(int degree, std::size_t n, const double* a, const double* /*b*/, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(basis);
-  static constexpr detail::Run<double> kEveryNarrow[] = SH_BATCH_NARROW(basis);
-  detail::run<double>("basis", degree <= 9 ? kEveryNarrow : kEvery, {degree, n, {directions}, out}, 1, 10, {1, 0});
+  static constexpr detail::Run<double> kNarrow[] = SH_BATCH_NARROW(basis);
+  detail::run<double>("basis", degree <= 9 ? kNarrow : kEvery, {degree, n, {{a, layouts.a}}, {out, layouts.out}}, 1, 10, {1, 0});
 }
 
-void basis_gradient(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
-  static constexpr const detail::DirectKernels<float>* kDirect[] = SH_BATCH_EVERY(basis_gradient_float);
-  if (detail::run_direct(kDirect, degree, 10, n, out, directions)) return;
+const detail::DirectKernels<float>* const detail::basis_gradient_float[] = SH_BATCH_EVERY(basis_gradient_float);
+
+void detail::run_basis_gradient(int degree, std::size_t n, const float* a, const float* /*b*/, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(basis_gradient);
-  detail::run<float>("basis_gradient", kEvery, {degree, n, {directions}, out}, 1, 10, {4, 0});
+  detail::run<float>("basis_gradient", kEvery, {degree, n, {{a, layouts.a}}, {out, layouts.out}}, 1, 10, {4, 0});
 }
 
-void basis_gradient(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
-  static constexpr const detail::DirectKernels<double>* kDirect[] = SH_BATCH_EVERY(basis_gradient_double);
-  if (detail::run_direct(kDirect, degree, 10, n, out, directions)) return;
+const detail::DirectKernels<double>* const detail::basis_gradient_double[] = SH_BATCH_EVERY(basis_gradient_double);
+
+void detail::run_basis_gradient(int degree, std::size_t n, const double* a, const double* /*b*/, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(basis_gradient);
-  detail::run<double>("basis_gradient", kEvery, {degree, n, {directions}, out}, 1, 10, {4, 0});
+  detail::run<double>("basis_gradient", kEvery, {degree, n, {{a, layouts.a}}, {out, layouts.out}}, 1, 10, {4, 0});
 }
 
-void evaluate(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
-  static constexpr const detail::DirectKernels<float>* kDirect[] = SH_BATCH_EVERY(evaluate_float);
-  if (detail::run_direct(kDirect, degree, 10, n, out, c, directions)) return;
+const detail::DirectKernels<float>* const detail::evaluate_float[] = SH_BATCH_EVERY(evaluate_float);
+
+void detail::run_evaluate(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(evaluate);
-  detail::run<float>("evaluate", kEvery, {degree, n, {c, directions}, out}, 2, 10, {0, 1});
+  detail::run<float>("evaluate", kEvery, {degree, n, {{a, layouts.a}, {b, layouts.b}}, {out, layouts.out}}, 2, 10, {0, 1});
 }
 
-void evaluate(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
-  static constexpr const detail::DirectKernels<double>* kDirect[] = SH_BATCH_EVERY(evaluate_double);
-  if (detail::run_direct(kDirect, degree, 10, n, out, c, directions)) return;
+const detail::DirectKernels<double>* const detail::evaluate_double[] = SH_BATCH_EVERY(evaluate_double);
+
+void detail::run_evaluate(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(evaluate);
-  detail::run<double>("evaluate", kEvery, {degree, n, {c, directions}, out}, 2, 10, {0, 1});
+  detail::run<double>("evaluate", kEvery, {degree, n, {{a, layouts.a}, {b, layouts.b}}, {out, layouts.out}}, 2, 10, {0, 1});
 }
 
 void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out) {
@@ -176,18 +176,18 @@ void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const fl
   detail::run<float>("evaluate", kEvery, {degree, n, {{nullptr, c.layout}, directions}, out, c.data}, 2, 10, {0, 1});
 }
 
-void evaluate_rgb(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
-  static constexpr const detail::DirectKernels<float>* kDirect[] = SH_BATCH_EVERY(evaluate_rgb_float);
-  if (detail::run_direct(kDirect, degree, 10, n, out, c, directions)) return;
+const detail::DirectKernels<float>* const detail::evaluate_rgb_float[] = SH_BATCH_EVERY(evaluate_rgb_float);
+
+void detail::run_evaluate_rgb(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(evaluate_rgb);
-  detail::run<float>("evaluate_rgb", kEvery, {degree, n, {c, directions}, out}, 2, 10, {0, 3});
+  detail::run<float>("evaluate_rgb", kEvery, {degree, n, {{a, layouts.a}, {b, layouts.b}}, {out, layouts.out}}, 2, 10, {0, 3});
 }
 
-void evaluate_rgb(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
-  static constexpr const detail::DirectKernels<double>* kDirect[] = SH_BATCH_EVERY(evaluate_rgb_double);
-  if (detail::run_direct(kDirect, degree, 10, n, out, c, directions)) return;
+const detail::DirectKernels<double>* const detail::evaluate_rgb_double[] = SH_BATCH_EVERY(evaluate_rgb_double);
+
+void detail::run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(evaluate_rgb);
-  detail::run<double>("evaluate_rgb", kEvery, {degree, n, {c, directions}, out}, 2, 10, {0, 3});
+  detail::run<double>("evaluate_rgb", kEvery, {degree, n, {{a, layouts.a}, {b, layouts.b}}, {out, layouts.out}}, 2, 10, {0, 3});
 }
 
 void evaluate_rgb(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out) {

@@ -4,34 +4,145 @@
 // Licence:      MIT-0; paste it anywhere.
 #pragma once
 
+#include "../cpp/basis.hpp"
+#include "../cpp/basis_gradient.hpp"
+#include "../cpp/evaluate.hpp"
+#include "../cpp/evaluate_rgb.hpp"
+#include "direct.hpp"
 #include "records.hpp"
 
 namespace sh::batch {
 
+namespace detail {
+template <int Degree, class T>
+[[gnu::always_inline]] inline void loop_basis(std::size_t n, const T* directions, T* to) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const T* const in[] = {directions + i * 3};
+    T* const out = to + i * ((Degree + 1) * (Degree + 1));
+    sh::basis<Degree>(in[0][0], in[0][1], in[0][2], out);
+  }
+}
+extern const DirectKernels<float>* const basis_float[];
+extern const DirectKernels<float>* const basis_float_narrow[];
+void run_basis(int degree, std::size_t n, const float* a, const float* /*b*/, float* out, Layouts layouts);
+extern const DirectKernels<double>* const basis_double[];
+extern const DirectKernels<double>* const basis_double_narrow[];
+void run_basis(int degree, std::size_t n, const double* a, const double* /*b*/, double* out, Layouts layouts);
+template <int Degree, class T>
+[[gnu::always_inline]] inline void loop_basis_gradient(std::size_t n, const T* directions, T* to) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const T* const in[] = {directions + i * 3};
+    T* const out = to + i * 4 * ((Degree + 1) * (Degree + 1));
+    constexpr int kCount = (Degree + 1) * (Degree + 1);
+    sh::basis_gradient<Degree>(in[0][0], in[0][1], in[0][2], out, out + kCount, out + 2 * kCount, out + 3 * kCount);
+  }
+}
+extern const DirectKernels<float>* const basis_gradient_float[];
+void run_basis_gradient(int degree, std::size_t n, const float* a, const float* /*b*/, float* out, Layouts layouts);
+extern const DirectKernels<double>* const basis_gradient_double[];
+void run_basis_gradient(int degree, std::size_t n, const double* a, const double* /*b*/, double* out, Layouts layouts);
+template <int Degree, class T>
+[[gnu::always_inline]] inline void loop_evaluate(std::size_t n, const T* c, const T* directions, T* to) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const T* const in[] = {c + i * ((Degree + 1) * (Degree + 1)), directions + i * 3};
+    T* const out = to + i * 1;
+    out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
+  }
+}
+extern const DirectKernels<float>* const evaluate_float[];
+void run_evaluate(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
+extern const DirectKernels<double>* const evaluate_double[];
+void run_evaluate(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
+template <int Degree, class T>
+[[gnu::always_inline]] inline void loop_evaluate_rgb(std::size_t n, const T* c, const T* directions, T* to) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const T* const in[] = {c + i * 3 * ((Degree + 1) * (Degree + 1)), directions + i * 3};
+    T* const out = to + i * 3;
+    sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
+  }
+}
+extern const DirectKernels<float>* const evaluate_rgb_float[];
+void run_evaluate_rgb(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
+extern const DirectKernels<double>* const evaluate_rgb_double[];
+void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
+}  // namespace detail
+
 /// Values of the real spherical harmonics.
 /// degree 0 to 10; directions (3), out (bands^2).
 /// Domain: |d| = 1 for d = (x, y, z); z is the polar axis.
-void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out);
-void basis(int degree, std::size_t n, Records<const double> directions, Records<double> out);
+[[gnu::always_inline]] inline void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
+  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions)) {
+    if (degree == 0) return detail::loop_basis<0>(n, directions.data, out.data);
+    if (degree == 1) return detail::loop_basis<1>(n, directions.data, out.data);
+  }
+  const auto* every = degree <= 9 ? detail::basis_float_narrow : detail::basis_float;
+  detail::run_direct<float>(every, detail::run_basis, degree, 10, n, out, directions);
+}
+[[gnu::always_inline]] inline void basis(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
+  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions)) {
+    if (degree == 0) return detail::loop_basis<0>(n, directions.data, out.data);
+    if (degree == 1) return detail::loop_basis<1>(n, directions.data, out.data);
+  }
+  const auto* every = degree <= 9 ? detail::basis_double_narrow : detail::basis_double;
+  detail::run_direct<double>(every, detail::run_basis, degree, 10, n, out, directions);
+}
 
 /// Values and Cartesian gradient of the solid harmonics: values, d/dx, d/dy, d/dz.
 /// degree 0 to 10; directions (3), out (4 bands^2).
 /// Domain: any d = (x, y, z); z is the polar axis.
-void basis_gradient(int degree, std::size_t n, Records<const float> directions, Records<float> out);
-void basis_gradient(int degree, std::size_t n, Records<const double> directions, Records<double> out);
+[[gnu::always_inline]] inline void basis_gradient(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
+  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions)) {
+    if (degree == 0) return detail::loop_basis_gradient<0>(n, directions.data, out.data);
+    if (degree == 1) return detail::loop_basis_gradient<1>(n, directions.data, out.data);
+  }
+  const auto* every = detail::basis_gradient_float;
+  detail::run_direct<float>(every, detail::run_basis_gradient, degree, 10, n, out, directions);
+}
+[[gnu::always_inline]] inline void basis_gradient(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
+  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions)) {
+    if (degree == 0) return detail::loop_basis_gradient<0>(n, directions.data, out.data);
+    if (degree == 1) return detail::loop_basis_gradient<1>(n, directions.data, out.data);
+  }
+  const auto* every = detail::basis_gradient_double;
+  detail::run_direct<double>(every, detail::run_basis_gradient, degree, 10, n, out, directions);
+}
 
 /// Functions given by coefficients, at directions.
 /// degree 0 to 10; c (bands^2), directions (3), out (1).
 /// Domain: |d| = 1 for d = (x, y, z); z is the polar axis; any c.
-void evaluate(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out);
-void evaluate(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out);
+[[gnu::always_inline]] inline void evaluate(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
+  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
+    if (degree == 0) return detail::loop_evaluate<0>(n, c.data, directions.data, out.data);
+  }
+  const auto* every = detail::evaluate_float;
+  detail::run_direct<float>(every, detail::run_evaluate, degree, 10, n, out, c, directions);
+}
+[[gnu::always_inline]] inline void evaluate(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
+  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
+    if (degree == 0) return detail::loop_evaluate<0>(n, c.data, directions.data, out.data);
+  }
+  const auto* every = detail::evaluate_double;
+  detail::run_direct<double>(every, detail::run_evaluate, degree, 10, n, out, c, directions);
+}
 void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out);
 
 /// Colours given by coefficients, channel by channel, at directions.
 /// degree 0 to 10; c (3 bands^2), directions (3), out (3).
 /// Domain: |d| = 1 for d = (x, y, z); z is the polar axis; any c.
-void evaluate_rgb(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out);
-void evaluate_rgb(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out);
+[[gnu::always_inline]] inline void evaluate_rgb(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
+  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
+    if (degree == 0) return detail::loop_evaluate_rgb<0>(n, c.data, directions.data, out.data);
+  }
+  const auto* every = detail::evaluate_rgb_float;
+  detail::run_direct<float>(every, detail::run_evaluate_rgb, degree, 10, n, out, c, directions);
+}
+[[gnu::always_inline]] inline void evaluate_rgb(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
+  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
+    if (degree == 0) return detail::loop_evaluate_rgb<0>(n, c.data, directions.data, out.data);
+  }
+  const auto* every = detail::evaluate_rgb_double;
+  detail::run_direct<double>(every, detail::run_evaluate_rgb, degree, 10, n, out, c, directions);
+}
 void evaluate_rgb(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out);
 
 /// Adds weight * Y of every direction to the sum.

@@ -30,8 +30,10 @@ template <int Degree, class T>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* b, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
     const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a) + i * ((Degree + 1) * (Degree + 1)), reinterpret_cast<const One<T>*>(b) + i * 3};
-    auto* out = reinterpret_cast<One<T>*>(to) + i * 1;
+    RecordValues<1, T> record(to + i * 1);
+    One<T>* const out = record.values();
     out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
+    record.keep();
   }
 }
 

@@ -21,8 +21,10 @@ template <int Degree, class T>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* b, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
     const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a) + i * 3 * ((Degree + 1) * (Degree + 1)), reinterpret_cast<const One<T>*>(b) + i * 3};
-    auto* out = reinterpret_cast<One<T>*>(to) + i * 3;
+    RecordValues<3, T> record(to + i * 3);
+    One<T>* const out = record.values();
     sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
+    record.keep();
   }
 }
 

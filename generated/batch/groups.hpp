@@ -88,6 +88,25 @@ using One = Packed<T, T>;
 template <class T>
 using Group = Packed<T, typename GroupRegister<T>::type>;
 
+// Where a kernel writes the values of one record: in place, or first beside it if they are few. Loops over copies of scalars
+// are vectorised, those over copies of One are not.
+template <std::size_t Size, class T>
+class RecordValues {
+ public:
+  explicit RecordValues(T* record) noexcept : record_(record) {}
+  One<T>* values() noexcept { return kIsCopied ? static_cast<One<T>*>(copy_) : reinterpret_cast<One<T>*>(record_); }
+  void keep() const noexcept {
+    if constexpr (kIsCopied) {
+      for (std::size_t k = 0; k < Size; ++k) record_[k] = copy_[k].get();
+    }
+  }
+
+ private:
+  static constexpr bool kIsCopied = Size < 5;
+  T* record_;
+  One<T> copy_[kIsCopied ? Size : 1];
+};
+
 // The columns of a group of records of Size values.
 template <std::size_t Size, class T>
 [[gnu::always_inline]] inline void load_group(const T* records, Group<T>* columns) {
@@ -194,13 +213,15 @@ template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0, class 
 
 // n records: by groups. What is left over is part of a group that ends with the last record, which computes some again,
 // from inputs that must still be there; of a call of few, part of a group in memory of its own. One or two are faster one
-// by one, and more where there is no whole group and they are small. As measured (tests/bench/plain_targets.cpp).
+// by one, and more where there is no whole group and they are small; the smallest of all, degree 0 and 1, always: compilers
+// vectorise their loop. As measured (tests/bench/plain_targets.cpp).
 template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0>
 inline void run_records(const T* a, const T* b, std::size_t n, T* to, detail::RecordKernel<T> one_by_one,
                         detail::RecordKernel<T> groups) {
-  constexpr bool kIsSmall = kGroup<T> < 8 || InA + InB + Out < 35;
+  constexpr bool kIsLeast = InA + InB + Out < 9;
+  constexpr bool kIsSmall = kGroup<T> < 8 || InA + InB + Out < 40;
   constexpr std::size_t kMostSingle = kIsSmall ? kGroup<T> - 1 : 3;
-  if (kGroup<T> == 1 || n <= kMostSingle) return one_by_one(a, b, n, to);
+  if (kGroup<T> == 1 || kIsLeast || n <= kMostSingle) return one_by_one(a, b, n, to);
   const std::size_t whole = n / kGroup<T>;
   const std::size_t rest = n % kGroup<T>;
   const bool may_overlap = whole > 0 && rest > 2 && a != to && b != to;

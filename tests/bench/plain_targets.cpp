@@ -55,29 +55,29 @@ template <int Degree, class T>
 void families(Table& table, std::size_t n) {
   constexpr std::size_t kSize = (Degree + 1) * (Degree + 1);
   const Records<T> records(n, kSize);
-  const auto in = batch::plain<const T>(records.directions.data());
-  const auto coefficients = batch::plain<const T>(records.coefficients.data());
+  const T* const directions = records.directions.data();
+  const T* const c = records.coefficients.data();
   T* const out = records.out.get();
-  const auto each = [&](const auto& kernel) {
-    return [&records, out, kernel] {
-      for (std::size_t i = 0; i < records.n; ++i) kernel(i, records.directions.data() + 3 * i);
+  const auto each = [=](const auto& kernel) {
+    return [=] {
+      for (std::size_t i = 0; i < n; ++i) kernel(i, directions + 3 * i);
       keep(*out);
     };
   };
   compare<T>(
-      table, "basis", Degree, records, [&] { batch::basis(Degree, n, in, batch::plain(out)); },
+      table, "basis", Degree, records, [=] { batch::basis(Degree, n, batch::plain(directions), batch::plain(out)); },
       each([out](std::size_t i, const T* d) { sh::basis<Degree>(d[0], d[1], d[2], out + i * kSize); }));
   compare<T>(
-      table, "basis_gradient", Degree, records, [&] { batch::basis_gradient(Degree, n, in, batch::plain(out)); },
+      table, "basis_gradient", Degree, records,
+      [=] { batch::basis_gradient(Degree, n, batch::plain(directions), batch::plain(out)); },
       each([out](std::size_t i, const T* d) {
         T* const to = out + i * 4 * kSize;
         sh::basis_gradient<Degree>(d[0], d[1], d[2], to, to + kSize, to + 2 * kSize, to + 3 * kSize);
       }));
   compare<T>(
-      table, "evaluate", Degree, records, [&] { batch::evaluate(Degree, n, coefficients, in, batch::plain(out)); },
-      each([out, c = records.coefficients.data()](std::size_t i, const T* d) {
-        out[i] = sh::evaluate<Degree>(c + i * kSize, d[0], d[1], d[2]);
-      }));
+      table, "evaluate", Degree, records,
+      [=] { batch::evaluate(Degree, n, batch::plain(c), batch::plain(directions), batch::plain(out)); },
+      each([out, c](std::size_t i, const T* d) { out[i] = sh::evaluate<Degree>(c + i * kSize, d[0], d[1], d[2]); }));
 }
 
 }  // namespace
