@@ -221,10 +221,13 @@ template <std::size_t Near = 10240>
   }
 }
 
-// What blocks in half precision need next: `lines` of them, and lines of results that take them without waiting.
-[[gnu::always_inline]] inline void prefetch_half_blocks(const float* block, std::size_t lines, const float* out,
-                                                        std::size_t out_step) {
+// What `count` blocks in half precision need after one of them: `lines` of them, and lines of results that take them without
+// waiting. Few stay in the nearest cache; what lies past them would only displace them.
+[[gnu::always_inline]] inline void prefetch_half_blocks(const float* block, std::size_t count, std::size_t lines,
+                                                        const float* out, std::size_t out_step) {
   constexpr std::size_t kAhead = 3;  // blocks
+  constexpr std::size_t kFew = 512;  // lines
+  if (count * lines <= kFew) return;
   prefetch_stream(block, lines);
   for (std::size_t k = 0; k < out_step; k += kBlock<float>) __builtin_prefetch(out + kAhead * out_step + k, 1, 2);
 }
@@ -235,7 +238,8 @@ template <int Inputs, int Size, class Kernel>
   for (std::size_t b = 0; b < blocks.count; ++b) {
     const float* block = blocks.in[0] + b * blocks.step[0];
     const auto* halves = reinterpret_cast<const Half*>(block);
-    prefetch_half_blocks(block, (std::size_t(Size) + 1) / 2, blocks.out + b * blocks.out_step, blocks.out_step);
+    prefetch_half_blocks(block, blocks.count, (std::size_t(Size) + 1) / 2, blocks.out + b * blocks.out_step,
+                         blocks.out_step);
     for (std::size_t lane = 0; lane < kBlock<float>; lane += Lanes<float>::kWidth) {
       Lanes<float> wide[Size];
       unrolled(std::make_index_sequence<std::size_t(Size)>(),
@@ -261,7 +265,7 @@ void multiply_blocks(const Blocks<T>& blocks) {
     const T* block = blocks.in[0] + b * blocks.step[0];
     T* out = blocks.out + b * blocks.out_step;
     if constexpr (sizeof(Stored) < sizeof(T))
-      prefetch_half_blocks(block, (Rows * Length + 1) / 2, out, blocks.out_step);
+      prefetch_half_blocks(block, blocks.count, (Rows * Length + 1) / 2, out, blocks.out_step);
     Lanes<T> sums[Sums][kRegisters];
     const auto add = [&](std::size_t k, auto is_first) __attribute__((always_inline)) {
       unrolled(
