@@ -211,14 +211,22 @@ template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0, class 
   }
 }
 
+// The values of a record up to which compilers vectorise a loop over records well enough: g++ with shuffles of two registers
+// those of degree 1, too.
+#if defined(__AVX512F__) && !defined(__clang__)
+constexpr std::size_t kVectorised = 8;
+#else
+constexpr std::size_t kVectorised = 5;
+#endif
+
 // n records: by groups. What is left over is part of a group that ends with the last record, which computes some again,
 // from inputs that must still be there; of a call of few, part of a group in memory of its own. One or two are faster one
-// by one, and more where there is no whole group and they are small; the smallest of all, degree 0 and 1, always: compilers
-// vectorise their loop. As measured (tests/bench/plain_targets.cpp).
+// by one, and more where there is no whole group and they are small; the smallest of all, of degree 0 and 1, always. As
+// measured (tests/bench/plain_targets.cpp).
 template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0>
 inline void run_records(const T* a, const T* b, std::size_t n, T* to, detail::RecordKernel<T> one_by_one,
                         detail::RecordKernel<T> groups) {
-  constexpr bool kIsLeast = InA + InB + Out < 9;
+  constexpr bool kIsLeast = InA + InB + Out <= kVectorised;
   constexpr bool kIsSmall = kGroup<T> < 8 || InA + InB + Out < 40;
   constexpr std::size_t kMostSingle = kIsSmall ? kGroup<T> - 1 : 3;
   if (kGroup<T> == 1 || kIsLeast || n <= kMostSingle) return one_by_one(a, b, n, to);

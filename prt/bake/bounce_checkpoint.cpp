@@ -20,9 +20,8 @@ constexpr int kLittle = 20;  // writing takes at most one part in so many of the
 
 std::size_t blocks_of(const Panel& panel) { return (panel.rows + kRowsABlock - 1) / kRowsABlock; }
 
-// The bytes of a block, which a reader may fill.
-template <class Numbers>
-auto block_of(Numbers& panel, std::size_t block) {
+// The bytes of a block.
+std::pair<double*, std::size_t> block_of(Panel& panel, std::size_t block) {
   const std::size_t first = std::min(panel.rows, block * kRowsABlock);
   const std::size_t last = std::min(panel.rows, first + kRowsABlock);
   return std::pair{panel.row(first), (last - first) * panel.columns * sizeof(double)};
@@ -128,8 +127,8 @@ bool BounceCheckpoint::is_time() const {
   return is_time != 0.0;
 }
 
-template <class X>
-void BounceCheckpoint::keep_rows(const BounceState& state, const X& x, const Panel& r) {
+template <class R>
+void BounceCheckpoint::keep_rows(const BounceState& state, const OwnRows& x, const R& r) {
   if (settings_.path.empty() || !is_time()) return;
   const Clock::time_point began = Clock::now();
   const std::string next = next_to(settings_.path);
@@ -141,13 +140,16 @@ void BounceCheckpoint::keep_rows(const BounceState& state, const X& x, const Pan
     if (ranks_.is_first()) file.emplace(next, key_, true);
     const Head head{static_cast<std::uint32_t>(state.phase), state.applications, state.before};
     append(0, &head, sizeof head);
-    std::vector<double> rows(kRowsABlock * r.columns);
-    for (std::size_t block = 0; block < blocks_of(r); ++block) {
-      const auto [residuals, bytes] = block_of(r, block);
-      const std::size_t first = block * kRowsABlock;
-      fetch(x, first, std::min(r.rows, first + kRowsABlock), rows.data());
-      append(2 * block + 1, rows.data(), bytes);
-      append(2 * block + 2, residuals, bytes);
+    std::vector<double> rows(kRowsABlock * x.columns());
+    std::size_t place = 1;
+    for (std::size_t first = 0; first < x.rows(); first += kRowsABlock) {
+      const std::size_t last = std::min(x.rows(), first + kRowsABlock);
+      const auto append_rows = [&](const auto& panel) {
+        fetch(panel, first, last, rows.data());
+        append(place++, rows.data(), (last - first) * x.columns() * sizeof(double));
+      };
+      append_rows(x);
+      append_rows(r);
     }
   }
   if (ranks_.is_first()) {
@@ -159,7 +161,7 @@ void BounceCheckpoint::keep_rows(const BounceState& state, const X& x, const Pan
   cost_ = last_ - began;
 }
 
-void BounceCheckpoint::keep(const BounceState& state, const Panel& x, const Panel& r) { keep_rows(state, x, r); }
-void BounceCheckpoint::keep(const BounceState& state, const OwnRows& x, const Panel& r) { keep_rows(state, x, r); }
+template void BounceCheckpoint::keep_rows(const BounceState& state, const OwnRows& x, const Panel& r);
+template void BounceCheckpoint::keep_rows(const BounceState& state, const OwnRows& x, const OwnRows& r);
 
 }  // namespace sh::prt

@@ -16,19 +16,17 @@ class BounceSystem {
                const BounceOptions& options, BounceCheckpoint* checkpoint = nullptr)
       : factors_(factors), albedo_(albedo), layout_(layout), options_(options), checkpoint_(checkpoint) {}
 
-  /// y = A x.
-  void apply(const Panel& x, Panel& y);
   /// x = A x, by way of `room`.
   void advance(Panel& x, OwnRows& room);
-  /// r = b - (I - A) x.
-  void residual(const Panel& b, const Panel& x, Panel& r);
+  /// r = b - (I - A) x in the rows of this process, by way of `room`.
+  void residual(const OwnRows& b, const OwnRows& x, Panel& r, OwnRows& room);
   /// Fills in bound, residual, largest and spectral_bound of the report for an iterate and its residual, of whose rows each
   /// process needs its own.
-  void certify(const Panel& x, const Panel& r);
-  void certify(const OwnRows& x, const Panel& r);
-  /// Keeps a state from which the solver can go on, if it is time; `before`: of the series. X: Panel or OwnRows.
-  template <class X>
-  void keep(BounceState::Phase phase, double before, const X& x, const Panel& r) const {
+  void certify(const OwnRows& x, const Panel& r) { certify_rows(x, r); }
+  void certify(const OwnRows& x, const OwnRows& r) { certify_rows(x, r); }
+  /// Keeps a state from which the solver can go on, if it is time; `before`: of the series. R: Panel or OwnRows.
+  template <class R>
+  void keep(BounceState::Phase phase, double before, const OwnRows& x, const R& r) const {
     if (checkpoint_ == nullptr) return;
     checkpoint_->keep({phase, static_cast<std::uint32_t>(report.applications), before}, x, r);
   }
@@ -42,8 +40,8 @@ class BounceSystem {
   BounceReport report;  // of the last certify()
 
  private:
-  template <class X>
-  void certify_rows(const X& x, const Panel& r);
+  template <class R>
+  void certify_rows(const OwnRows& x, const R& r);
   void scale(Panel& y);
 
   const FormFactors& factors_;
@@ -63,7 +61,17 @@ void for_rows(std::size_t rows, const Each& each) {
               [&](std::size_t part) { each(part * kRowsAPart, std::min(rows, (part + 1) * kRowsAPart)); });
 }
 
-/// Improves x, whose residual is r, until the certified bound is small enough or the limit on applications is reached.
-void solve_krylov(BounceSystem& system, const Panel& b, Panel& x, Panel& r);
+/// Calls each(first, last) for rows of this process, on all threads of the arena.
+template <class Each>
+void for_own_rows(const Ranks& ranks, std::size_t rows, const Each& each) {
+  static_assert(Ranks::kRowsAtOnce % kRowsAPart == 0);
+  for_rows(rows, [&](std::size_t first, std::size_t last) {
+    if (ranks.owns(first)) each(first, last);
+  });
+}
+
+/// Improves x, whose residual is r, until the certified bound is small enough or the limit on applications is reached; r is
+/// of no use then.
+void solve_krylov(BounceSystem& system, const OwnRows& b, OwnRows& x, Panel& r);
 
 }  // namespace sh::prt

@@ -41,10 +41,10 @@ struct Extremes {
 };
 
 // Of the rows of this process.
-template <class X>
-Extremes extremes(const Ranks& ranks, const X& x, const Panel& r, const BounceLayout& layout, std::size_t channel) {
+template <class R>
+Extremes extremes(const Ranks& ranks, const OwnRows& x, const R& r, const BounceLayout& layout, std::size_t channel) {
   Extremes e;
-  for (std::size_t v = 0; v < r.rows; ++v) {
+  for (std::size_t v = 0; v < x.rows(); ++v) {
     if (!ranks.owns(v)) continue;
     const double* xs = x.row(v) + layout.channel(channel);
     const double* rs = r.row(v) + layout.channel(channel);
@@ -97,24 +97,6 @@ bool is_slow(int applications, double before, double now) {
   return !(rate < 1.0) || std::log(1.0 / now) / std::log(rate) > kManyMore;
 }
 
-// Calls each(first, last) for rows of this process, on all threads of the arena.
-template <class Each>
-void for_own_rows(const Ranks& ranks, std::size_t rows, const Each& each) {
-  static_assert(Ranks::kRowsAtOnce % kRowsAPart == 0);
-  for_rows(rows, [&](std::size_t first, std::size_t last) {
-    if (ranks.owns(first)) each(first, last);
-  });
-}
-
-// r = b - (I - A) x, in the rows of this process.
-void find_residual(BounceSystem& system, const OwnRows& b, const OwnRows& x, Panel& r, OwnRows& room) {
-  x.gather(r);
-  system.advance(r, room);
-  for_own_rows(system.ranks(), r.rows, [&](std::size_t first, std::size_t last) {
-    r.block(first, last) += b.block(first, last) - x.block(first, last);
-  });
-}
-
 // x is a partial sum and r the term after it, which is the residual of x. before: the excess of the sum before.
 void sum_series(BounceSystem& system, const BounceOptions& options, double before, OwnRows& x, Panel& r,
                 OwnRows& room) {
@@ -158,26 +140,22 @@ void BounceSystem::scale(Panel& y) {
   ++report.applications;
 }
 
-void BounceSystem::apply(const Panel& x, Panel& y) {
-  factors_.apply(x, y);
-  scale(y);
-}
-
 void BounceSystem::advance(Panel& x, OwnRows& room) {
   factors_.advance(x, room);
   scale(x);
 }
 
-void BounceSystem::residual(const Panel& b, const Panel& x, Panel& r) {
-  apply(x, r);
-  for_rows(x.rows, [&](std::size_t first, std::size_t last) {
+void BounceSystem::residual(const OwnRows& b, const OwnRows& x, Panel& r, OwnRows& room) {
+  x.gather(r);
+  advance(r, room);
+  for_own_rows(ranks(), r.rows, [&](std::size_t first, std::size_t last) {
     r.block(first, last) += b.block(first, last) - x.block(first, last);
   });
 }
 
 // The bound counts the roundings of r: those of A x, and those of b and x, at most 4 u max |x|, u = 2^-53.
-template <class X>
-void BounceSystem::certify_rows(const X& x, const Panel& r) {
+template <class R>
+void BounceSystem::certify_rows(const OwnRows& x, const R& r) {
   const double rounding = factors_.rounding() + 4.0 * 0x1p-53;
   report.bound = report.residual = report.largest = report.spectral_bound = 0.0;
   report.emitted_bound = report.emitted_largest = 0.0;
@@ -200,8 +178,8 @@ void BounceSystem::certify_rows(const X& x, const Panel& r) {
   }
 }
 
-void BounceSystem::certify(const Panel& x, const Panel& r) { certify_rows(x, r); }
-void BounceSystem::certify(const OwnRows& x, const Panel& r) { certify_rows(x, r); }
+template void BounceSystem::certify_rows(const OwnRows& x, const Panel& r);
+template void BounceSystem::certify_rows(const OwnRows& x, const OwnRows& r);
 
 bool BounceSystem::may_go_on() const {
   return report.applications < options_.most_applications && std::chrono::steady_clock::now() < options_.deadline;
@@ -212,7 +190,8 @@ bool BounceSystem::is_solved() const {
          report.emitted_bound <= options_.tolerance * report.emitted_largest;
 }
 
-// `light` is the only whole panel of the series: each term, and at the end the sum, of which a process keeps its own rows.
+// `light` is the only whole panel: what the operator is applied to, and at the end the sum, of which a process keeps its own
+// rows.
 BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::Vector3f>& albedo, BounceLayout layout,
                            Panel& light, const BounceOptions& options, BounceCheckpoint* checkpoint) {
   check_shapes(factors, albedo, layout, light, options);
@@ -222,7 +201,7 @@ BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::
   const Ranks& ranks = factors.ranks();
   BounceSystem system(factors, albedo, layout, options, checkpoint);
   BounceReport& report = system.report;
-  OwnRows b(ranks, light);
+  const OwnRows b(ranks, light);
   OwnRows x = b;
   Panel& r = light;
   std::optional<OwnRows> room(std::in_place, ranks, light.rows, light.columns);
@@ -239,7 +218,7 @@ BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::
     if (kept) before = kept->before;
     sum_series(system, options, before, x, r, *room);
     if (system.is_solved() && report.applications > 1) {  // the last term is the residual up to the terms' roundings
-      find_residual(system, b, x, r, *room);
+      system.residual(b, x, r, *room);
       system.certify(x, r);
     }
   } else {
@@ -248,14 +227,9 @@ BounceReport solve_bounces(const FormFactors& factors, const std::vector<Eigen::
   room.reset();
   if (!system.is_solved() && options.solver != BounceSolver::kSeries) {
     report.solver = "bicgstab";
-    exchange(ranks, r);
-    const Panel all_b = b.take_whole();
-    Panel all_x = x.take_whole();
-    solve_krylov(system, all_b, all_x, r);
-    light = std::move(all_x);
-  } else {
-    x.gather(light);
+    solve_krylov(system, b, x, r);
   }
+  x.gather(light);
   const bool is_late = std::chrono::steady_clock::now() >= options.deadline;
   report.certified = system.is_solved() || (is_late && std::isfinite(report.bound));
   return report;

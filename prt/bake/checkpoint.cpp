@@ -62,6 +62,14 @@ bool take_row(std::string_view& data, std::size_t vertices, FormFactorRow& row, 
   return take(data, row.data(), row.size()) && is_row(row, vertices);
 }
 
+// The same for a row that another process keeps and checks.
+bool skip_row(std::string_view& data) {
+  RowHead head;
+  if (!take(data, &head, 1) || data.size() / sizeof(FormFactor) < head.length) return false;
+  data.remove_prefix(head.length * sizeof(FormFactor));
+  return true;
+}
+
 std::string encode_chunk(const ShadowResult& result, const VertexRange& range) {
   const std::size_t count = result.transfer.shape.length();
   std::string bytes;
@@ -98,6 +106,10 @@ bool decode_chunk(std::string_view data, const VertexRange& range, ShadowResult&
   }
   std::vector<std::pair<std::size_t, FormFactorRow>> rows;
   for (std::size_t v = range.first; result.factors != nullptr && v < range.last; ++v) {
+    if (!result.factors->ranks().owns(v)) {
+      if (!skip_row(data)) return false;
+      continue;
+    }
     FormFactorRow row;
     RowHead head;
     if (!take_row(data, result.sight.size(), row, head)) return false;

@@ -1,7 +1,8 @@
 // BiCGSTAB [VanDerVorst92] for all columns of a panel at once: one application of the operator serves all of them, but
 // each column has its own scalars. The recursive residual drifts from the true residual. The true residual is therefore
 // computed before anything is certified, and the iteration restarts from there if necessary.
-#include <numeric>
+//
+// Each process keeps and turns its own rows of all vectors; only what the operator is applied to is a whole panel.
 #include <vector>
 
 #include "prt/bake/bounce_system.hpp"
@@ -12,26 +13,32 @@ namespace {
 
 using Scalars = Eigen::ArrayXd;  // (columns)
 
-// sum over rows of a b, column by column, in an order that no thread changes.
-Scalars dots(const Panel& a, const Panel& b) {
-  const Eigen::Index columns = a.columns;
-  std::vector<Scalars> sums((a.rows + kRowsAPart - 1) / kRowsAPart, Scalars::Zero(columns));
-  for_rows(a.rows, [&](std::size_t first, std::size_t last) {
-    Scalars& sum = sums[first / kRowsAPart];
+// sum over the rows of all processes of a b, column by column, in an order that neither threads nor processes change.
+Scalars dots(const Ranks& ranks, const OwnRows& a, const OwnRows& b) {
+  static_assert(kRowsAPart == Ranks::kRowsAtOnce);
+  Panel sums((a.rows() + kRowsAPart - 1) / kRowsAPart, a.columns());  // a row for each part
+  for_own_rows(ranks, a.rows(), [&](std::size_t first, std::size_t last) {
+    auto sum = sums.block(first / kRowsAPart, first / kRowsAPart + 1).col(0);
     for (std::size_t v = first; v < last; ++v) sum += a.block(v, v + 1).col(0) * b.block(v, v + 1).col(0);
   });
-  return std::accumulate(sums.begin(), sums.end(), Scalars(Scalars::Zero(columns)));
+  Scalars total = Scalars::Zero(static_cast<Eigen::Index>(sums.columns));
+  for (std::size_t part = 0; part < sums.rows; ++part) {
+    if (ranks.count > 1) ranks.broadcast(sums.row(part), sums.columns, ranks.owner(part * kRowsAPart));
+    total += sums.block(part, part + 1).col(0);
+  }
+  return total;
 }
 
 // y += a x, column by column.
-void add(const Scalars& a, const Panel& x, Panel& y) {
-  for_rows(y.rows,
-           [&](std::size_t first, std::size_t last) { y.block(first, last) += x.block(first, last).colwise() * a; });
+void add(const Ranks& ranks, const Scalars& a, const OwnRows& x, OwnRows& y) {
+  for_own_rows(ranks, y.rows(), [&](std::size_t first, std::size_t last) {
+    y.block(first, last) += x.block(first, last).colwise() * a;
+  });
 }
 
 // p = r + b p, column by column.
-void follow(const Panel& r, const Scalars& b, Panel& p) {
-  for_rows(p.rows, [&](std::size_t first, std::size_t last) {
+void follow(const Ranks& ranks, const OwnRows& r, const Scalars& b, OwnRows& p) {
+  for_own_rows(ranks, p.rows(), [&](std::size_t first, std::size_t last) {
     p.block(first, last) = r.block(first, last) + p.block(first, last).colwise() * b;
   });
 }
@@ -42,34 +49,36 @@ Scalars ratio(const Scalars& a, const Scalars& b) {
   return value.isFinite().select(value, 0.0);
 }
 
-// y = (I - A) x
-void apply_system(BounceSystem& system, const Panel& x, Panel& y) {
-  system.apply(x, y);
-  for_rows(x.rows, [&](std::size_t first, std::size_t last) {
-    y.block(first, last) = x.block(first, last) - y.block(first, last);
+// y = (I - A) x, by way of `whole`.
+void apply_system(BounceSystem& system, const OwnRows& x, OwnRows& y, Panel& whole) {
+  x.gather(whole);
+  system.advance(whole, y);
+  for_own_rows(system.ranks(), x.rows(), [&](std::size_t first, std::size_t last) {
+    y.block(first, last) = x.block(first, last) - whole.block(first, last);
   });
 }
 
 // Iterates until the recursive residual is small enough or a restart is due.
-void run_cycle(BounceSystem& system, Panel& x, Panel& r) {
+void run_cycle(BounceSystem& system, OwnRows& x, OwnRows& r, Panel& whole) {
   constexpr int kSteps = 32;
-  const Panel shadow = r;
-  Panel p = r;
-  Panel v(x.rows, x.columns);
-  Panel t(x.rows, x.columns);
-  Scalars rho = dots(shadow, r);
+  const Ranks& ranks = system.ranks();
+  const OwnRows shadow = r;
+  OwnRows p = r;
+  OwnRows v(ranks, x.rows(), x.columns());
+  OwnRows t = v;
+  Scalars rho = dots(ranks, shadow, r);
   for (int step = 0; step < kSteps && !system.is_solved(); ++step) {
-    apply_system(system, p, v);
-    const Scalars alpha = ratio(rho, dots(shadow, v));
-    add(alpha, p, x);
-    add(-alpha, v, r);
-    apply_system(system, r, t);
-    const Scalars omega = ratio(dots(t, r), dots(t, t));
-    add(omega, r, x);
-    add(-omega, t, r);
-    const Scalars next = dots(shadow, r);
-    add(-omega, v, p);
-    follow(r, ratio(next, rho) * ratio(alpha, omega), p);
+    apply_system(system, p, v, whole);
+    const Scalars alpha = ratio(rho, dots(ranks, shadow, v));
+    add(ranks, alpha, p, x);
+    add(ranks, -alpha, v, r);
+    apply_system(system, r, t, whole);
+    const Scalars omega = ratio(dots(ranks, t, r), dots(ranks, t, t));
+    add(ranks, omega, r, x);
+    add(ranks, -omega, t, r);
+    const Scalars next = dots(ranks, shadow, r);
+    add(ranks, -omega, v, p);
+    follow(ranks, r, ratio(next, rho) * ratio(alpha, omega), p);
     rho = next;
     system.certify(x, r);
     if (!system.may_go_on()) return;
@@ -78,12 +87,15 @@ void run_cycle(BounceSystem& system, Panel& x, Panel& r) {
 
 }  // namespace
 
-void solve_krylov(BounceSystem& system, const Panel& b, Panel& x, Panel& r) {
+void solve_krylov(BounceSystem& system, const OwnRows& b, OwnRows& x, Panel& r) {
+  OwnRows own_r(system.ranks(), r);
   while (!system.is_solved() && system.may_go_on()) {
-    run_cycle(system, x, r);
-    system.residual(b, x, r);
-    system.certify(x, r);
-    if (system.may_go_on()) system.keep(BounceState::Phase::kKrylov, 0.0, x, r);  // else the cycle may have no end
+    run_cycle(system, x, own_r, r);
+    OwnRows room(system.ranks(), x.rows(), x.columns());
+    system.residual(b, x, r, room);
+    own_r = OwnRows(system.ranks(), r);
+    system.certify(x, own_r);
+    if (system.may_go_on()) system.keep(BounceState::Phase::kKrylov, 0.0, x, own_r);  // else the cycle may have no end
   }
 }
 

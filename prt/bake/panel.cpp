@@ -1,7 +1,6 @@
 #include "prt/bake/panel.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace sh::prt {
 
@@ -35,14 +34,6 @@ void OwnRows::gather(std::size_t first, std::size_t last, double* to) const {
     if (ranks_->count > 1) ranks_->broadcast(to, size, ranks_->owner(from));
     to += size;
   });
-}
-
-Panel OwnRows::take_whole() {
-  if (ranks_->count < 2) return std::move(panel_);
-  Panel whole(rows_, panel_.columns);
-  gather(whole);
-  panel_.values = {};
-  return whole;
 }
 
 }  // namespace sh::prt

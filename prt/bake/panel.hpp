@@ -43,6 +43,9 @@ class OwnRows {
   /// Those of `whole`.
   OwnRows(const Ranks& ranks, const Panel& whole);
 
+  /// Of all processes.
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+  [[nodiscard]] std::size_t columns() const { return panel_.columns; }
   /// Row `v` of the panel, which this process must own; rows that are owned together are one after the other.
   double* row(std::size_t v) { return panel_.row(ranks_->place(v)); }
   [[nodiscard]] const double* row(std::size_t v) const { return panel_.row(ranks_->place(v)); }
@@ -56,8 +59,6 @@ class OwnRows {
   /// The rows first .. last - 1 of all processes, which call it together. first: a multiple of Ranks::kRowsAtOnce.
   void gather(std::size_t first, std::size_t last, double* to) const;
   void gather(Panel& whole) const { gather(0, rows_, whole.values.data()); }
-  /// The whole panel; nothing is left here.
-  Panel take_whole();
   /// Exchanges its numbers with a panel of one process.
   void swap(Panel& whole) noexcept { std::swap(whole.values, panel_.values); }
 

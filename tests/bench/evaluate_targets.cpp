@@ -118,7 +118,11 @@ std::function<void()> splats_of_blocks(const float* c, const float* directions, 
       const float* const from = c + block * 16 * kSplatValues;
       const float* const d = directions + block * 48;
       float* __restrict const to = rgb + block * 48;
+#ifdef __clang__
+#pragma clang loop vectorize(assume_safety)
+#else
 #pragma GCC ivdep
+#endif
       for (std::size_t i = 0; i < 16; ++i) {
         splat_color<16>(from + i, d[i], d[16 + i], d[32 + i], to + i, 1, coefficient_count(kSplatDegree));
       }
