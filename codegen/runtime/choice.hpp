@@ -45,7 +45,7 @@ using Run = void (*)(const Call<T>&);
 template <class T>
 void run(const char* driver, const Run<T>* every, Call<T>&& call, int inputs, int largest_degree, OutputSize size) {
   check(driver, call, inputs, largest_degree, size);
-  every[chosen()](call);
+  if (call.n > 0) every[chosen()](call);
 }
 
 }  // namespace sh::batch::detail

@@ -304,6 +304,11 @@ TEST(Batch, RefusesWhatItCannotDoInOneLine) {
   EXPECT_EQ(message_of([&] { batch::basis(2, 7, Records<const float>{}, plain); }),
             "sh::batch::basis: expected arrays of 7 records, got a null pointer");
   EXPECT_EQ(message_of([&] { batch::basis(2, 0, Records<const float>{}, Records<float>{}); }), "nothing thrown");
+  const auto none = batch::shared(static_cast<const float*>(nullptr));
+  EXPECT_EQ(message_of([&] { batch::basis(2, 0, none, Records<float>{}); }), "nothing thrown");
+  EXPECT_EQ(message_of([&] { batch::rotate(2, 0, none, plain, Records<float>{}); }), "nothing thrown");
+  EXPECT_EQ(message_of([&] { batch::relight(2, 0, Records<const float>{}, nullptr, Records<float>{}); }),
+            "nothing thrown");
 }
 
 // Where AVX-512 is slow, it may take the kernels of AVX2.

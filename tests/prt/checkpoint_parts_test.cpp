@@ -132,6 +132,31 @@ TEST_F(CheckpointParts, WithoutFormFactorsAreTheRestOfThem) {
   EXPECT_EQ(has_, (std::array{false, false, false})) << "their rows are missing";
 }
 
+TEST_F(CheckpointParts, GiveAProcessTheRowsOfItsOwnVertices) {
+  static_assert(kVertices <= Ranks::kRowsAtOnce);  // all belong to rank 0
+  write({0, 1, 2});
+  const Records all = records();
+  Results first;
+  first.factors.share_among({0, 2});
+  static_cast<void>(read(first, all));
+  EXPECT_EQ(has_, (std::array{true, true, true}));
+  for (std::size_t v = 0; v < kVertices; ++v) expect_vertex(first, made_, v);
+  Results second;
+  second.factors.share_among({1, 2});
+  static_cast<void>(read(second, all));
+  EXPECT_EQ(has_, (std::array{true, true, true}));
+  for (std::size_t v = 0; v < kVertices; ++v) EXPECT_FALSE(second.factors.is_kept(v)) << v;
+  EXPECT_EQ(second.transfer.coefficients, made_.transfer.coefficients);
+  for (const std::size_t missing : {std::size_t{1}, sizeof(FormFactor)}) {  // bytes of the last row
+    Records cut = all;
+    for (auto& [index, data] : cut) data.resize(data.size() - missing);
+    Results none;
+    none.factors.share_among({1, 2});
+    static_cast<void>(read(none, cut));
+    EXPECT_EQ(has_, (std::array{false, false, false})) << missing;
+  }
+}
+
 TEST_F(CheckpointParts, ThatNoRaysCanGiveAreNotBelieved) {
   write({1});
   const Records good = records();

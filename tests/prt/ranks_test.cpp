@@ -225,7 +225,7 @@ TEST(BounceCheckpoint, IsOfOneSystemAndDeletesNoFileOfTheUser) {
   const Panel r(3, 8);
   const auto keep = [&](const BounceCheckpointSettings& settings, const std::string& key) {
     const Ranks one;
-    BounceCheckpoint(settings, key, one).keep({.applications = 5}, x, r);
+    BounceCheckpoint(settings, key, one).keep({.applications = 5}, OwnRows(one, x), r);
   };
   const auto loaded = [&](const BounceCheckpointSettings& settings, const std::string& key) {
     const Ranks one;
