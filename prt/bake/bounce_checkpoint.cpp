@@ -128,7 +128,7 @@ bool BounceCheckpoint::is_time() const {
 }
 
 template <class R>
-void BounceCheckpoint::keep_rows(const BounceState& state, const OwnRows& x, const R& r) {
+void BounceCheckpoint::keep(const BounceState& state, const OwnRows& x, const R& r) {
   if (settings_.path.empty() || !is_time()) return;
   const Clock::time_point began = Clock::now();
   const std::string next = next_to(settings_.path);
@@ -161,7 +161,7 @@ void BounceCheckpoint::keep_rows(const BounceState& state, const OwnRows& x, con
   cost_ = last_ - began;
 }
 
-template void BounceCheckpoint::keep_rows(const BounceState& state, const OwnRows& x, const Panel& r);
-template void BounceCheckpoint::keep_rows(const BounceState& state, const OwnRows& x, const OwnRows& r);
+template void BounceCheckpoint::keep(const BounceState& state, const OwnRows& x, const Panel& r);
+template void BounceCheckpoint::keep(const BounceState& state, const OwnRows& x, const OwnRows& r);
 
 }  // namespace sh::prt

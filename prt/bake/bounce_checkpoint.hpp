@@ -50,15 +50,13 @@ class BounceCheckpoint {
   /// The kept state, its iterate and residual in x and r; nothing if there is none, or that of another system. All ranks
   /// call it. Throws std::runtime_error, one line with the file's name, if the file is none of this format.
   std::optional<BounceState> load(OwnRows& x, Panel& r) const;
-  /// Writes the state if it is time; all ranks call it. Throws std::runtime_error if writing fails.
-  void keep(const BounceState& state, const OwnRows& x, const Panel& r) { keep_rows(state, x, r); }
-  void keep(const BounceState& state, const OwnRows& x, const OwnRows& r) { keep_rows(state, x, r); }
+  /// Writes the state if it is time; all ranks call it. R: Panel or OwnRows. Throws std::runtime_error if writing fails.
+  template <class R>
+  void keep(const BounceState& state, const OwnRows& x, const R& r);
 
  private:
   using Clock = std::chrono::steady_clock;
   [[nodiscard]] std::optional<BounceState> read(Panel& x, Panel& r) const;
-  template <class R>
-  void keep_rows(const BounceState& state, const OwnRows& x, const R& r);
   [[nodiscard]] bool is_time() const;
   // What rank 0 knows, to all ranks.
   void tell(double* values, std::size_t size) const {

@@ -21,9 +21,9 @@ class BounceSystem {
   /// r = b - (I - A) x in the rows of this process, by way of `room`.
   void residual(const OwnRows& b, const OwnRows& x, Panel& r, OwnRows& room);
   /// Fills in bound, residual, largest and spectral_bound of the report for an iterate and its residual, of whose rows each
-  /// process needs its own.
-  void certify(const OwnRows& x, const Panel& r) { certify_rows(x, r); }
-  void certify(const OwnRows& x, const OwnRows& r) { certify_rows(x, r); }
+  /// process needs its own. R: Panel or OwnRows.
+  template <class R>
+  void certify(const OwnRows& x, const R& r);
   /// Keeps a state from which the solver can go on, if it is time; `before`: of the series. R: Panel or OwnRows.
   template <class R>
   void keep(BounceState::Phase phase, double before, const OwnRows& x, const R& r) const {
@@ -40,8 +40,6 @@ class BounceSystem {
   BounceReport report;  // of the last certify()
 
  private:
-  template <class R>
-  void certify_rows(const OwnRows& x, const R& r);
   void scale(Panel& y);
 
   const FormFactors& factors_;

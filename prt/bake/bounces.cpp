@@ -155,7 +155,7 @@ void BounceSystem::residual(const OwnRows& b, const OwnRows& x, Panel& r, OwnRow
 
 // The bound counts the roundings of r: those of A x, and those of b and x, at most 4 u max |x|, u = 2^-53.
 template <class R>
-void BounceSystem::certify_rows(const OwnRows& x, const R& r) {
+void BounceSystem::certify(const OwnRows& x, const R& r) {
   const double rounding = factors_.rounding() + 4.0 * 0x1p-53;
   report.bound = report.residual = report.largest = report.spectral_bound = 0.0;
   report.emitted_bound = report.emitted_largest = 0.0;
@@ -178,8 +178,8 @@ void BounceSystem::certify_rows(const OwnRows& x, const R& r) {
   }
 }
 
-template void BounceSystem::certify_rows(const OwnRows& x, const Panel& r);
-template void BounceSystem::certify_rows(const OwnRows& x, const OwnRows& r);
+template void BounceSystem::certify(const OwnRows& x, const Panel& r);
+template void BounceSystem::certify(const OwnRows& x, const OwnRows& r);
 
 bool BounceSystem::may_go_on() const {
   return report.applications < options_.most_applications && std::chrono::steady_clock::now() < options_.deadline;

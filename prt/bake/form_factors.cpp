@@ -80,7 +80,6 @@ void FormFactors::multiply(const Panel& x, Rows& y) const {
 
 void FormFactors::apply(const Panel& x, Panel& y) const {
   multiply(x, y);
-  exchange(ranks_, y);
   fill_.apply(y.values.data(), y.columns, y.columns);
 }
 

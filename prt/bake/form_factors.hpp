@@ -33,7 +33,7 @@ class FormFactors {
   explicit FormFactors(std::size_t vertices, std::size_t most_bytes = SIZE_MAX,
                        std::function<RowMaker()> make_maker = {});
 
-  /// From now on each process keeps and multiplies its own rows only; all of them call apply() together.
+  /// From now on each process keeps and multiplies its own rows only; all of them call advance() together.
   void share_among(Ranks ranks) { ranks_ = std::move(ranks); }
   /// Keeps a row, or drops it if no memory is left; this changes times but no result. Any thread may call it, at the
   /// same time for different vertices.
@@ -41,8 +41,8 @@ class FormFactors {
   /// Closed vertices take the light of their neighbors: from now on K is F K, F of `fill`.
   void fill_with(Fill fill) { fill_ = std::move(fill); }
 
-  /// y = K x: y_v = sum over the row of v of weight * x_vertex; both (vertices, columns). The same bits for any number
-  /// of threads.
+  /// y = K x: y_v = sum over the row of v of weight * x_vertex; both (vertices, columns); one process alone. The same bits for
+  /// any number of threads.
   void apply(const Panel& x, Panel& y) const;
   /// x = K x, by way of `room`.
   void advance(Panel& x, OwnRows& room) const;

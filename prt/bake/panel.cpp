@@ -14,13 +14,6 @@ void for_owned_together(std::size_t first, std::size_t last, const Each& each) {
 
 }  // namespace
 
-void exchange(const Ranks& ranks, Panel& panel) {
-  if (ranks.count < 2) return;
-  for_owned_together(0, panel.rows, [&](std::size_t first, std::size_t last) {
-    ranks.broadcast(panel.row(first), (last - first) * panel.columns, ranks.owner(first));
-  });
-}
-
 OwnRows::OwnRows(const Ranks& ranks, const Panel& whole) : OwnRows(ranks, whole.rows, whole.columns) {
   for_owned_together(0, rows_, [&](std::size_t first, std::size_t last) {
     if (ranks.owns(first)) std::copy(whole.row(first), whole.row(last), row(first));

@@ -31,9 +31,6 @@ struct Panel {
   std::vector<double> values;
 };
 
-/// Gives all processes the rows that each of them owns.
-void exchange(const Ranks& ranks, Panel& panel);
-
 /// The rows of a panel that this process owns, one after the other: all of them where there is one process.
 class OwnRows {
  public:
