@@ -146,6 +146,29 @@ TEST_F(Shards, GoOnAfterBeingKilled) {
   EXPECT_TRUE(merged(files) == whole) << "a finished shard that runs again changes nothing";
 }
 
+TEST_F(Shards, OfWhichOneOfFourIsKilledAndRunsAgainGiveTheBytesOfTheSingleBake) {
+  constexpr std::uintmax_t kBegun = 1500;  // bytes: the part has, or gets, its first chunk
+  directions_ = "65536";
+  for (const char* kind : {"shadowed", "interreflected", "glossy_shadowed"}) {
+    const Arguments options = {"--kind", kind, "--checkpoint-seconds", "0"};
+    const std::string whole = single(options);
+    const Arguments files = parts(4, options);
+    std::filesystem::remove(part(3));
+    const Arguments third = bake(joined(options, {"--shard", "3/4"}), part(3));
+    signal_prt(third, SIGKILL, [&] {
+      std::error_code error;
+      return std::filesystem::file_size(part(3), error) > kBegun && !error;
+    });
+    const Finished refused = run_prt(joined(joined({"merge"}, files), {"-o", out_}));
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("those of shard 3/4;"), std::string::npos) << kind << ": " << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(out_)) << kind;
+    succeeded(third);
+    EXPECT_TRUE(merged(files) == whole) << kind;
+    std::filesystem::remove(out_);
+  }
+}
+
 TEST_F(Shards, ThatAreMissingAreNamedWithTheCommandThatMakesThem) {
   const Arguments files = parts(3, {"--kind", "shadowed"});
   const std::string missing = "missing, those of shard 2/3; expected complete parts of all shards: run `prt bake '" +
