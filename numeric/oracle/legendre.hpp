@@ -15,6 +15,8 @@
 // never weighs like 1 / theta, as it does in a column.
 #pragma once
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "numeric/oracle/real.hpp"
@@ -33,10 +35,10 @@ struct Scaled {
 template <class Real>
 void rescale(Real& a, Real& b, long& exponent) {
   constexpr long kRange = 32;
-  using std::abs;
-  const Real size = abs(a) < abs(b) ? abs(b) : abs(a);
-  if (size == 0) return;
-  const long e = binary_exponent(size);
+  if (a == 0 && b == 0) return;
+  const long e = a == 0   ? binary_exponent(b)
+                 : b == 0 ? binary_exponent(a)
+                          : std::max(binary_exponent(a), binary_exponent(b));
   if (e <= kRange && e >= -kRange) return;
   a = times_power_of_two(a, -e);
   b = times_power_of_two(b, -e);
@@ -106,19 +108,18 @@ class ReducedRows {
   void visit(int degree, int lowest_order, const Real& z, const Real& u2, Visit visit) const {
     const long l = degree;
     const Scaled<Real> norm = row_norm(degree);
-    Real current = 1;  // R_lm / 2^exponent
-    Real above = 0;    // R_(l,m+1) / 2^exponent
-    long exponent = 0;
+    Real current = norm.mantissa;  // R_lm times the norm / 2^exponent
+    Real above = 0;                // the same of R_(l,m+1)
+    long exponent = norm.exponent;
     for (long m = l;; --m) {
       const auto& up = root_[l + m];
       const auto& down = inverse_root_[l - m];
-      visit(static_cast<int>(m), Scaled<Real>{Real(current * (norm.mantissa * (up.mantissa * down.mantissa))),
-                                              exponent + norm.exponent + up.exponent + down.exponent});
+      visit(static_cast<int>(m),
+            Scaled<Real>{Real(current * (up.mantissa * down.mantissa)), exponent + up.exponent + down.exponent});
       if (m == lowest_order) return;
-      const Real next =
-          times_integer(Real(z * current), 2 * m) - times_integer(Real(u2 * above), (l + m + 1) * (l - m));
-      above = current;
-      current = next;
+      Real next = times_integer(Real(z * current), 2 * m) - times_integer(Real(u2 * above), (l + m + 1) * (l - m));
+      above = std::move(current);
+      current = std::move(next);
       rescale(current, above, exponent);
     }
   }

@@ -64,6 +64,8 @@ long binary_exponent(const Real& v) {
     int e = 0;
     std::frexp(v, &e);
     return e;
+  } else if constexpr (requires { v.backend().data()->_mpfr_exp; }) {
+    return mpfr_get_exp(v.backend().data());  // frexp would copy the number
   } else {
     using boost::multiprecision::frexp;
     long e = 0;

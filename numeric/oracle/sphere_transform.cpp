@@ -14,45 +14,105 @@
 namespace sh::numeric {
 namespace {
 
-using Complex = std::complex<double>;
+// Rings or orders of one task: their numbers share a line of the cache.
+constexpr std::size_t kAtOnce = 4;
+
+// Values of several rings, one a lane: Eigen transforms them all like one. Two lanes fill a register of any machine.
+class Lanes {
+ public:
+#if defined(__AVX__)
+  static constexpr std::size_t kCount = 4;
+#else
+  static constexpr std::size_t kCount = 2;
+#endif
+  Lanes() = default;
+  Lanes(double value) : values_(value - Vector{}) {}  // NOLINT(google-explicit-constructor): a number
+  // value(lane) in every lane.
+  template <class F>
+  static Lanes of(const F& value) {
+    Lanes lanes;
+    for (std::size_t i = 0; i < kCount; ++i) lanes.values_[i] = value(i);
+    return lanes;
+  }
+  double operator[](std::size_t lane) const { return values_[lane]; }
+
+  friend Lanes operator+(const Lanes& a, const Lanes& b) { return from(a.values_ + b.values_); }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) { return from(a.values_ - b.values_); }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) { return from(a.values_ * b.values_); }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) { return from(a.values_ / b.values_); }
+  friend Lanes operator-(const Lanes& a) { return from(-a.values_); }
+  Lanes& operator+=(const Lanes& b) { return *this = *this + b; }
+  Lanes& operator-=(const Lanes& b) { return *this = *this - b; }
+  Lanes& operator*=(const Lanes& b) { return *this = *this * b; }
+
+  // Of Eigen's twiddle factors, which are alike in all lanes.
+  friend Lanes acos(const Lanes& a) { return std::acos(a[0]); }
+  friend std::complex<Lanes> exp(const std::complex<Lanes>& z) {
+    const std::complex<double> e = std::exp(std::complex<double>(z.real()[0], z.imag()[0]));
+    return {e.real(), e.imag()};
+  }
+
+ private:
+  using Vector = double __attribute__((vector_size(kCount * sizeof(double))));
+  static Lanes from(const Vector& values) {
+    Lanes lanes;
+    lanes.values_ = values;
+    return lanes;
+  }
+
+  Vector values_{};
+};
+static_assert(kAtOnce % Lanes::kCount == 0);
+
+using Complex = std::complex<Lanes>;
 
 // Spectra of real rings without the half that is conjugate, and no factor 1 / n; plans stay from one call to the next.
-Eigen::FFT<double>& fourier() {
-  thread_local Eigen::FFT<double> transform = [] {
-    Eigen::FFT<double> made;
-    made.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-    made.SetFlag(Eigen::FFT<double>::Unscaled);
+Eigen::FFT<Lanes>& fourier() {
+  thread_local Eigen::FFT<Lanes> transform = [] {
+    Eigen::FFT<Lanes> made;
+    made.SetFlag(Eigen::FFT<Lanes>::HalfSpectrum);
+    made.SetFlag(Eigen::FFT<Lanes>::Unscaled);
     return made;
   }();
   return transform;
 }
 
-// One value is its own spectrum; Eigen 3.4 writes to a null pointer there.
-void to_spectrum(const double* values, int around, Complex* spectrum) {
-  if (around == 1) {
-    *spectrum = *values;
-  } else {
-    fourier().fwd(spectrum, values, around);
+// The rings of one task, as many as there are lanes at once.
+class TaskRings {
+ public:
+  explicit TaskRings(int around)
+      : around_(around), spectrum_(static_cast<std::size_t>(around) / 2 + 1), values_(around) {}
+
+  [[nodiscard]] Complex& at(int frequency) { return spectrum_[frequency]; }
+  void clear() { std::fill(spectrum_.begin(), spectrum_.end(), Complex(0.0)); }
+
+  // One value is its own spectrum; Eigen 3.4 writes to a null pointer there.
+  void to_spectrum(const double* rings, std::size_t count) {
+    const std::size_t last = std::min(count, Lanes::kCount) - 1;
+    for (int j = 0; j < around_; ++j) {
+      values_[j] = Lanes::of([&](std::size_t i) { return rings[std::min(i, last) * around_ + j]; });
+    }
+    if (around_ == 1) {
+      spectrum_[0] = values_[0];
+    } else {
+      fourier().fwd(spectrum_.data(), values_.data(), around_);
+    }
   }
-}
-void from_spectrum(const Complex* spectrum, int around, double* values) {
-  if (around == 1) {
-    *values = spectrum->real();
-  } else {
-    fourier().inv(values, spectrum, around);
+  void from_spectrum(double* rings, std::size_t count) {
+    if (around_ == 1) {
+      values_[0] = spectrum_[0].real();
+    } else {
+      fourier().inv(values_.data(), spectrum_.data(), around_);
+    }
+    for (std::size_t i = 0; i < std::min(count, Lanes::kCount); ++i) {
+      for (int j = 0; j < around_; ++j) rings[i * around_ + j] = values_[j][i];
+    }
   }
-}
 
-// Rings or orders of one task: their numbers share a line of the cache.
-constexpr std::size_t kAtOnce = 4;
-
-// Spectra of the rings of one task.
-struct Spectra {
-  std::size_t size;
-  std::vector<Complex> values;
-
-  explicit Spectra(int around) : size(static_cast<std::size_t>(around) / 2 + 1), values(kAtOnce * size) {}
-  Complex* of(std::size_t ring) { return &values[ring * size]; }
+ private:
+  int around_;
+  std::vector<Complex> spectrum_;
+  std::vector<Lanes> values_;
 };
 
 // Y_lm is that times P_lm times a cosine or sine.
@@ -117,30 +177,36 @@ SphereTransform::SphereTransform(int degree, std::span<const double> z, std::spa
 
 void SphereTransform::to_map(const Orders& orders, std::size_t ring, std::span<double> map) const {
   const std::size_t count = std::min(kAtOnce, rings() - ring);
-  Spectra spectra(around_);
-  for (std::size_t m = 0; m < wave_.size(); ++m) {
-    const Wave& w = wave_[m];
-    const double* const sums = &orders[2 * (m * rings() + ring)];
-    for (std::size_t i = 0; i < count; ++i) {
-      const double c = w.own * sums[2 * i], s = w.own * sums[2 * i + 1];
-      spectra.of(i)[w.frequency] += Complex(c * w.p + s * w.q, c * w.r - s * w.t);
+  TaskRings of(around_);
+  for (std::size_t first = 0; first < count; first += Lanes::kCount) {
+    of.clear();
+    for (std::size_t m = 0; m < wave_.size(); ++m) {
+      const Wave& w = wave_[m];
+      const double* const sums = &orders[2 * (m * rings() + ring + first)];
+      const Lanes c = Lanes::of([&](std::size_t i) { return w.own * sums[2 * i]; });
+      const Lanes s = Lanes::of([&](std::size_t i) { return w.own * sums[2 * i + 1]; });
+      of.at(w.frequency) += Complex(c * w.p + s * w.q, c * w.r - s * w.t);
     }
+    of.from_spectrum(&map[(ring + first) * around_], count - first);
   }
-  for (std::size_t i = 0; i < count; ++i) from_spectrum(spectra.of(i), around_, &map[(ring + i) * around_]);
 }
 
 void SphereTransform::to_orders(std::span<const double> map, std::span<const double> weights, std::size_t ring,
                                 Orders& orders) const {
   const std::size_t count = std::min(kAtOnce, rings() - ring);
-  Spectra spectra(around_);
-  for (std::size_t i = 0; i < count; ++i) to_spectrum(&map[(ring + i) * around_], around_, spectra.of(i));
-  for (std::size_t m = 0; m < wave_.size(); ++m) {
-    const Wave& w = wave_[m];
-    double* const sums = &orders[2 * (m * rings() + ring)];
-    for (std::size_t i = 0; i < count; ++i) {
-      const Complex wave = weights[ring + i] * spectra.of(i)[w.frequency];
-      sums[2 * i] = wave.real() * w.p + wave.imag() * w.r;
-      sums[2 * i + 1] = wave.real() * w.q - wave.imag() * w.t;
+  TaskRings of(around_);
+  for (std::size_t first = 0; first < count; first += Lanes::kCount) {
+    of.to_spectrum(&map[(ring + first) * around_], count - first);
+    for (std::size_t m = 0; m < wave_.size(); ++m) {
+      const Wave& w = wave_[m];
+      const Lanes& real = of.at(w.frequency).real();
+      const Lanes& imaginary = of.at(w.frequency).imag();
+      const Lanes c = real * w.p + imaginary * w.r, s = real * w.q - imaginary * w.t;
+      double* const sums = &orders[2 * (m * rings() + ring + first)];
+      for (std::size_t i = 0; i < std::min(count - first, Lanes::kCount); ++i) {
+        sums[2 * i] = weights[ring + first + i] * c[i];
+        sums[2 * i + 1] = weights[ring + first + i] * s[i];
+      }
     }
   }
 }
@@ -148,7 +214,7 @@ void SphereTransform::to_orders(std::span<const double> map, std::span<const dou
 void SphereTransform::synthesis(std::span<const double> coefficients, std::span<double> map, const ForEach& run) const {
   require_size("SphereTransform: coefficients", std::ssize(coefficients), coefficient_count(degree()));
   require_size("SphereTransform: map", std::ssize(map), static_cast<long>(rings()) * around_);
-  Orders orders(2 * rings() * wave_.size());
+  Orders orders(2 * (rings() * wave_.size() + Lanes::kCount));  // some more for lanes without a ring
   run(tasks(wave_.size()), [&](int task) {
     OfOrders of(kAtOnce * task, degree());
     of.each([&](int l, int m, double* pair) {
