@@ -129,6 +129,7 @@ std::string direct_function(const Driver& driver, const Overload& types) {
                     {{"degree", std::to_string(degree)}, {"name", driver.name}, {"arrays", arrays}, {"out", s.out}});
   }
   return filled(R"([[gnu::always_inline]] inline $signature {
+  if (!detail::are_given($out$inputs)) return detail::run_any<$t>(detail::run_$name, degree, n, $out$inputs);
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, $out$inputs)) {
 $loops  }
   const auto* every = $every;
@@ -237,8 +238,8 @@ std::string definition(const Driver& driver, const Overload& types) {
     const std::string type = "const detail::DirectKernels<" + types.scalar + ">* const";
     tables = definitions(driver, direct_tables(driver, types), type, table_of_direct(driver, types.scalar)) + "\n";
     signature = any_signature(driver, types.scalar, "detail::");
-    arguments = s.inputs.size() > 1 ? "{{a, layouts.a}, {b, layouts.b}}" : "{{a, layouts.a}}";
-    arguments += ", {out, layouts.out}";
+    arguments = s.inputs.size() > 1 ? "{{a, layouts.a()}, {b, layouts.b()}}" : "{{a, layouts.a()}}";
+    arguments += ", {out, layouts.out()}";
   }
   return filled(
       R"(

@@ -9,11 +9,13 @@
 
 #include "call.hpp"
 
-// Whether the compiler of a caller knows a value.
+// Whether the compiler of a caller knows a value; what it should expect.
 #if defined(__GNUC__)
 #define SH_BATCH_KNOWS(value) __builtin_constant_p(value)
+#define SH_BATCH_LIKELY(condition) __builtin_expect(condition, true)
 #else
 #define SH_BATCH_KNOWS(value) false
+#define SH_BATCH_LIKELY(condition) (condition)
 #endif
 
 namespace sh::batch::detail {
@@ -28,45 +30,79 @@ template <class T>
   return records.layout == Layout::kBlocked && reinterpret_cast<std::uintptr_t>(records.data) % kLine == 0;
 }
 
-/// Whether the records are plain and so few that a call costs more than a kernel of degree 0 or 1.
-template <class T, class... In>
-[[gnu::always_inline]] inline bool are_few(std::size_t n, const Records<T>& out, const In&... in) {
-  constexpr std::size_t kFew = 32;
-  return n <= kFew && out.data != nullptr && ((in.data != nullptr) && ...) && out.layout == Layout::kPlain &&
-         ((in.layout == Layout::kPlain) && ...);
+/// Whether all of these arrays are there.
+template <class... Array>
+[[gnu::always_inline]] inline bool are_given(const Array&... arrays) {
+  return (SH_BATCH_LIKELY(arrays.data != nullptr) && ...);
+}
+
+template <class... Array>
+[[gnu::always_inline]] inline bool are_plain(const Array&... arrays) {
+  return ((arrays.layout == Layout::kPlain) && ...);
+}
+
+constexpr std::size_t kMostDirect = 1024;  // records of a direct call: their outputs stay in a cache
+
+/// Plain records up to which a call costs more than it saves of a kernel of degree 0 or 1. A caller who is compiled for the
+/// widest instruction set has nothing to gain from a call.
+#if defined(__AVX512F__)
+constexpr std::size_t kFewPlain = kMostDirect;
+#else
+constexpr std::size_t kFewPlain = 32;
+#endif
+template <class... Array>
+[[gnu::always_inline]] inline bool are_few(std::size_t n, const Array&... arrays) {
+  return SH_BATCH_LIKELY(n <= kFewPlain) && are_plain(arrays...);
 }
 
 /// Layouts of the arrays of a call, in one register: with more than six words a call would go through memory.
-struct Layouts {
-  Layout a, b, out;
+class Layouts {
+ public:
+  constexpr Layouts(Layout a, Layout b, Layout out) noexcept
+      : bits_(word(a) | word(b) << kBits | word(out) << 2 * kBits) {}
+  [[nodiscard]] constexpr Layout a() const noexcept { return at(0); }
+  [[nodiscard]] constexpr Layout b() const noexcept { return at(1); }
+  [[nodiscard]] constexpr Layout out() const noexcept { return at(2); }
+
+ private:
+  static constexpr int kBits = 8;
+  static constexpr unsigned word(Layout layout) noexcept { return static_cast<unsigned>(layout); }
+  [[nodiscard]] constexpr Layout at(int place) const noexcept {
+    return static_cast<Layout>(bits_ >> place * kBits & 0xff);
+  }
+
+  unsigned bits_;
 };
 
 /// The driver of a call of any layout; b: null where there is one input.
 template <class T>
 using AnyCall = void (*)(int degree, std::size_t n, const T* a, const T* b, T* out, Layouts layouts);
 
-/// A call of not too many records, all plain or all in whole blocks, checked, at once: its kernels by instruction set and
-/// degree. `any` serves all other calls, wrong ones and the first of all.
+/// Calls the driver `any`.
+template <class T>
+[[gnu::always_inline]] inline void run_any(AnyCall<T> any, int degree, std::size_t n, const Records<T>& out,
+                                           const Records<const T>& a, const Records<const T>& b = {}) {
+  any(degree, n, a.data, b.data, out.data, {a.layout, b.layout, out.layout});
+}
+
+/// A call of not too many records, all plain or all in whole blocks, that are given, checked, at once: its kernels by
+/// instruction set and degree. `any` serves all other calls, wrong ones and the first of all.
 template <class T, class... Second>
 [[gnu::always_inline]] inline void run_direct(const DirectKernels<T>* const* every, AnyCall<T> any, int degree,
                                               int largest_degree, std::size_t n, const Records<T>& out,
                                               const Records<const T>& a, const Second&... b) {
-  constexpr std::size_t kMost = 1024;  // their outputs stay in a cache
-  const T* second = nullptr;
-  Layout layout = Layout::kPlain;
-  ((second = b.data, layout = b.layout), ...);
   const int set = in_use.load(std::memory_order_relaxed);
-  if (set != kNotChosen && degree >= 0 && degree <= largest_degree && n - 1 < kMost && out.data != nullptr &&
-      a.data != nullptr && ((b.data != nullptr) && ...)) {
+  if (SH_BATCH_LIKELY(set != kNotChosen) && SH_BATCH_LIKELY(degree >= 0 && degree <= largest_degree) &&
+      SH_BATCH_LIKELY(n - 1 < kMostDirect)) {
     const DirectKernels<T>& kernels = every[set][degree];
-    if (out.layout == Layout::kPlain && a.layout == Layout::kPlain && layout == Layout::kPlain) {
-      return kernels.plain(a.data, second, n, out.data);
-    }
+    const T* second = nullptr;
+    ((second = b.data), ...);
+    if (are_plain(out, a, b...)) return kernels.plain(a.data, second, n, out.data);
     if (n % kBlock<T> == 0 && are_lines(out) && are_lines(a) && (are_lines(b) && ...)) {
       return kernels.blocks(a.data, second, n / kBlock<T>, out.data);
     }
   }
-  any(degree, n, a.data, second, out.data, {a.layout, layout, out.layout});
+  run_any(any, degree, n, out, a, b...);
 }
 
 }  // namespace sh::batch::detail

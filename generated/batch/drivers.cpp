@@ -131,7 +131,7 @@ const detail::DirectKernels<float>* const detail::basis_float_narrow[] = SH_BATC
 void detail::run_basis(int degree, std::size_t n, const float* a, const float* /*b*/, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(basis);
   static constexpr detail::Run<float> kNarrow[] = SH_BATCH_NARROW(basis);
-  detail::run<float>("basis", degree <= 9 ? kNarrow : kEvery, {degree, n, {{a, layouts.a}}, {out, layouts.out}}, 1, 10, {1, 0});
+  detail::run<float>("basis", degree <= 9 ? kNarrow : kEvery, {degree, n, {{a, layouts.a()}}, {out, layouts.out()}}, 1, 10, {1, 0});
 }
 
 const detail::DirectKernels<double>* const detail::basis_double[] = SH_BATCH_EVERY(basis_double);
@@ -140,35 +140,35 @@ const detail::DirectKernels<double>* const detail::basis_double_narrow[] = SH_BA
 void detail::run_basis(int degree, std::size_t n, const double* a, const double* /*b*/, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(basis);
   static constexpr detail::Run<double> kNarrow[] = SH_BATCH_NARROW(basis);
-  detail::run<double>("basis", degree <= 9 ? kNarrow : kEvery, {degree, n, {{a, layouts.a}}, {out, layouts.out}}, 1, 10, {1, 0});
+  detail::run<double>("basis", degree <= 9 ? kNarrow : kEvery, {degree, n, {{a, layouts.a()}}, {out, layouts.out()}}, 1, 10, {1, 0});
 }
 
 const detail::DirectKernels<float>* const detail::basis_gradient_float[] = SH_BATCH_EVERY(basis_gradient_float);
 
 void detail::run_basis_gradient(int degree, std::size_t n, const float* a, const float* /*b*/, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(basis_gradient);
-  detail::run<float>("basis_gradient", kEvery, {degree, n, {{a, layouts.a}}, {out, layouts.out}}, 1, 10, {4, 0});
+  detail::run<float>("basis_gradient", kEvery, {degree, n, {{a, layouts.a()}}, {out, layouts.out()}}, 1, 10, {4, 0});
 }
 
 const detail::DirectKernels<double>* const detail::basis_gradient_double[] = SH_BATCH_EVERY(basis_gradient_double);
 
 void detail::run_basis_gradient(int degree, std::size_t n, const double* a, const double* /*b*/, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(basis_gradient);
-  detail::run<double>("basis_gradient", kEvery, {degree, n, {{a, layouts.a}}, {out, layouts.out}}, 1, 10, {4, 0});
+  detail::run<double>("basis_gradient", kEvery, {degree, n, {{a, layouts.a()}}, {out, layouts.out()}}, 1, 10, {4, 0});
 }
 
 const detail::DirectKernels<float>* const detail::evaluate_float[] = SH_BATCH_EVERY(evaluate_float);
 
 void detail::run_evaluate(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(evaluate);
-  detail::run<float>("evaluate", kEvery, {degree, n, {{a, layouts.a}, {b, layouts.b}}, {out, layouts.out}}, 2, 10, {0, 1});
+  detail::run<float>("evaluate", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 1});
 }
 
 const detail::DirectKernels<double>* const detail::evaluate_double[] = SH_BATCH_EVERY(evaluate_double);
 
 void detail::run_evaluate(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(evaluate);
-  detail::run<double>("evaluate", kEvery, {degree, n, {{a, layouts.a}, {b, layouts.b}}, {out, layouts.out}}, 2, 10, {0, 1});
+  detail::run<double>("evaluate", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 1});
 }
 
 void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out) {
@@ -180,14 +180,14 @@ const detail::DirectKernels<float>* const detail::evaluate_rgb_float[] = SH_BATC
 
 void detail::run_evaluate_rgb(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(evaluate_rgb);
-  detail::run<float>("evaluate_rgb", kEvery, {degree, n, {{a, layouts.a}, {b, layouts.b}}, {out, layouts.out}}, 2, 10, {0, 3});
+  detail::run<float>("evaluate_rgb", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 3});
 }
 
 const detail::DirectKernels<double>* const detail::evaluate_rgb_double[] = SH_BATCH_EVERY(evaluate_rgb_double);
 
 void detail::run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(evaluate_rgb);
-  detail::run<double>("evaluate_rgb", kEvery, {degree, n, {{a, layouts.a}, {b, layouts.b}}, {out, layouts.out}}, 2, 10, {0, 3});
+  detail::run<double>("evaluate_rgb", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 3});
 }
 
 void evaluate_rgb(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out) {

@@ -71,6 +71,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
 /// degree 0 to 10; directions (3), out (bands^2).
 /// Domain: |d| = 1 for d = (x, y, z); z is the polar axis.
 [[gnu::always_inline]] inline void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
+  if (!detail::are_given(out, directions)) return detail::run_any<float>(detail::run_basis, degree, n, out, directions);
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions)) {
     if (degree == 0) return detail::loop_basis<0>(n, directions.data, out.data);
     if (degree == 1) return detail::loop_basis<1>(n, directions.data, out.data);
@@ -79,6 +80,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
   detail::run_direct<float>(every, detail::run_basis, degree, 10, n, out, directions);
 }
 [[gnu::always_inline]] inline void basis(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
+  if (!detail::are_given(out, directions)) return detail::run_any<double>(detail::run_basis, degree, n, out, directions);
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions)) {
     if (degree == 0) return detail::loop_basis<0>(n, directions.data, out.data);
     if (degree == 1) return detail::loop_basis<1>(n, directions.data, out.data);
@@ -91,6 +93,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
 /// degree 0 to 10; directions (3), out (4 bands^2).
 /// Domain: any d = (x, y, z); z is the polar axis.
 [[gnu::always_inline]] inline void basis_gradient(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
+  if (!detail::are_given(out, directions)) return detail::run_any<float>(detail::run_basis_gradient, degree, n, out, directions);
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions)) {
     if (degree == 0) return detail::loop_basis_gradient<0>(n, directions.data, out.data);
     if (degree == 1) return detail::loop_basis_gradient<1>(n, directions.data, out.data);
@@ -99,6 +102,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
   detail::run_direct<float>(every, detail::run_basis_gradient, degree, 10, n, out, directions);
 }
 [[gnu::always_inline]] inline void basis_gradient(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
+  if (!detail::are_given(out, directions)) return detail::run_any<double>(detail::run_basis_gradient, degree, n, out, directions);
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions)) {
     if (degree == 0) return detail::loop_basis_gradient<0>(n, directions.data, out.data);
     if (degree == 1) return detail::loop_basis_gradient<1>(n, directions.data, out.data);
@@ -111,6 +115,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
 /// degree 0 to 10; c (bands^2), directions (3), out (1).
 /// Domain: |d| = 1 for d = (x, y, z); z is the polar axis; any c.
 [[gnu::always_inline]] inline void evaluate(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
+  if (!detail::are_given(out, c, directions)) return detail::run_any<float>(detail::run_evaluate, degree, n, out, c, directions);
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
     if (degree == 0) return detail::loop_evaluate<0>(n, c.data, directions.data, out.data);
   }
@@ -118,6 +123,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
   detail::run_direct<float>(every, detail::run_evaluate, degree, 10, n, out, c, directions);
 }
 [[gnu::always_inline]] inline void evaluate(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
+  if (!detail::are_given(out, c, directions)) return detail::run_any<double>(detail::run_evaluate, degree, n, out, c, directions);
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
     if (degree == 0) return detail::loop_evaluate<0>(n, c.data, directions.data, out.data);
   }
@@ -130,6 +136,7 @@ void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const fl
 /// degree 0 to 10; c (3 bands^2), directions (3), out (3).
 /// Domain: |d| = 1 for d = (x, y, z); z is the polar axis; any c.
 [[gnu::always_inline]] inline void evaluate_rgb(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
+  if (!detail::are_given(out, c, directions)) return detail::run_any<float>(detail::run_evaluate_rgb, degree, n, out, c, directions);
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
     if (degree == 0) return detail::loop_evaluate_rgb<0>(n, c.data, directions.data, out.data);
   }
@@ -137,6 +144,7 @@ void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const fl
   detail::run_direct<float>(every, detail::run_evaluate_rgb, degree, 10, n, out, c, directions);
 }
 [[gnu::always_inline]] inline void evaluate_rgb(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
+  if (!detail::are_given(out, c, directions)) return detail::run_any<double>(detail::run_evaluate_rgb, degree, n, out, c, directions);
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
     if (degree == 0) return detail::loop_evaluate_rgb<0>(n, c.data, directions.data, out.data);
   }
