@@ -26,18 +26,21 @@ struct Named {
   T value;
 };
 
-// The first recipe that counts as equally fast as the fastest; the first recipe if some have no measured time.
+// The first recipe that counts as equally fast as the fastest, on average over the machines; the first recipe if some have no
+// measured time.
 std::vector<Recipe>::iterator fastest(const Family& family, int degree, std::vector<Recipe>& recipes) {
-  std::vector<double> times;
-  for (const Recipe& recipe : recipes) {
-    const std::optional<Timing> timing = committed_wisdom().find(family.name, degree, recipe.name);
-    if (recipe.for_speed && !timing) return recipes.begin();
-    times.push_back(recipe.for_speed ? timing->call : std::numeric_limits<double>::infinity());
+  std::vector<std::string> names;
+  std::vector<std::ptrdiff_t> places;
+  for (auto recipe = recipes.begin(); recipe != recipes.end(); ++recipe) {
+    if (!recipe->for_speed) continue;
+    names.push_back(recipe->name);
+    places.push_back(recipe - recipes.begin());
   }
-  if (times.empty()) return recipes.begin();
-  const double enough = kNoise * *std::min_element(times.begin(), times.end());
-  const auto found = std::find_if(times.begin(), times.end(), [enough](double time) { return time <= enough; });
-  return recipes.begin() + (found - times.begin());
+  const std::vector<double> slowdowns = mean_slowdowns(committed_wisdom(), family.name, degree, names);
+  if (slowdowns.empty()) return recipes.begin();
+  const double enough = kNoise * *std::min_element(slowdowns.begin(), slowdowns.end());
+  const auto found = std::find_if(slowdowns.begin(), slowdowns.end(), [enough](double time) { return time <= enough; });
+  return recipes.begin() + places[found - slowdowns.begin()];
 }
 
 std::vector<FinishedKernel> finish_all(const Family& family, int degree) {
@@ -195,7 +198,9 @@ Rendered render_degree(const Family& family, int degree) {
   }
   for (const FinishedKernel& candidate : all) {
     const std::string& recipe = candidate.kernel.recipe;
-    ManifestEntry entry{candidate, {}, committed_wisdom().find(family.name, degree, recipe)};
+    ManifestEntry entry{candidate, {}, {}};
+    for (const auto& [machine, wisdom] : committed_wisdom())
+      entry.timings.push_back(wisdom.find(family.name, degree, recipe));
     if (recipe == written.kernel.recipe) add_files(rendered.files, written, entry);
     if (worthwhile && recipe == accurate.kernel.recipe) add_files(rendered.files, accurate, entry);
     rendered.rows.push_back(manifest_row(entry));

@@ -13,8 +13,11 @@ namespace {
 
 // --- MANIFEST
 
-std::string time(const std::optional<Timing>& timing, double Timing::*which) {
-  return timing ? fmt::format("{:.3g}", (*timing).*which) : "-";
+std::string times(const std::vector<std::optional<Timing>>& timings, double Timing::*which) {
+  std::string text;
+  for (const auto& timing : timings)
+    text += (text.empty() ? "" : "/") + (timing ? fmt::format("{:.3g}", (*timing).*which) : "-");
+  return text.empty() ? "-" : text;
 }
 
 // "7.6/4.3": the proved bound and the largest error seen; "-/4.3": no bound is proved.
@@ -103,8 +106,8 @@ ManifestRow manifest_row(const ManifestEntry& entry) {
           field("float_total", print::two_digits(f.in_float.total.absolute)),
           field("double_rounding", print::two_digits(f.in_double.rounding.absolute)),
           field("double_total", print::two_digits(f.in_double.total.absolute)),
-          field("ns", time(entry.timing, &Timing::call)),
-          field("lane_ns", time(entry.timing, &Timing::lane)),
+          field("ns", times(entry.timings, &Timing::call)),
+          field("lane_ns", times(entry.timings, &Timing::lane)),
           field("files", files.empty() ? "-" : files)};
 }
 
@@ -121,12 +124,16 @@ std::string kernel_record(const FinishedKernel& finished) {
 }
 
 std::string print_manifest(const std::vector<ManifestRow>& rows) {
+  std::string machines;
+  for (const auto& [name, wisdom] : committed_wisdom()) machines += (machines.empty() ? "" : "/") + name;
   std::string text =
       "# Every kernel and every recipe for it, one a line. Written by `shgen write`; licence MIT-0.\n"
       "# mul, add: operations (add holds subtractions and negations); other: divisions, square roots, selections;\n"
       "# chain: the longest one; live: most values held at once; ns, lane_ns: tuned time of a float call, and of a "
       "lane of\n"
-      "# a SIMD register;\n"
+      "# a SIMD register, on " +
+      machines +
+      ";\n"
       "# float_eps, double_eps: the rounding error in the unit of the family, at most (proved) / largest seen; -/ "
       "where no\n"
       "# bound is proved, - where the recipe is not written; rounding, total: the largest absolute error seen, as "

@@ -17,8 +17,8 @@ namespace sh::codegen {
 /// One line of the manifest.
 struct ManifestEntry {
   FinishedKernel finished;
-  std::vector<std::string> files;  ///< relative to generated/; empty if another recipe was chosen
-  std::optional<Timing> timing;    ///< empty if the recipe was not tuned
+  std::vector<std::string> files;              ///< relative to generated/; empty if another recipe was chosen
+  std::vector<std::optional<Timing>> timings;  ///< by machine; empty where the recipe was not tuned
 };
 
 /// The columns of the line.

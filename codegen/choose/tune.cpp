@@ -99,6 +99,24 @@ std::string first_line(const fs::path& file) {
   return line;
 }
 
+// The first line of what the compiler says of itself.
+std::string compiler_version() {
+  const TemporaryFolder folder;
+  const fs::path version = folder.path() / "version";
+  if (std::system((compiler() + " --version >'" + version.string() + "' 2>&1").c_str()) != 0)
+    throw std::runtime_error("tune: " + compiler() + " cannot run: expected the name of a C++ compiler in CXX");
+  return first_line(version);
+}
+
+// A line of the system's description of the processor.
+std::string processor(const std::string& key, const std::string& otherwise) {
+  std::ifstream processors("/proc/cpuinfo");
+  std::string line;
+  while (std::getline(processors, line) && line.rfind(key, 0) != 0) continue;
+  const std::size_t colon = line.find(": ");
+  return colon == std::string::npos ? otherwise : line.substr(colon + 2);
+}
+
 // The test inputs of the family, repeated until there are kInputs of them.
 std::string input_table(const Family& family, int degree) {
   const std::vector<std::vector<double>> inputs = family.domain.test_inputs(degree);
@@ -166,8 +184,8 @@ std::string program(const Family& family, const std::vector<Recipe>& recipes, in
               "  for (int i = 0; i < kLaneInputs * kIn; ++i) lanes_in[i] = Lanes(kValues[i]);\n  return true;\n}();\n" +
               "inline void keep(void* p) { asm volatile(\"\" : : \"r\"(p) : \"memory\"); }\n";
     }
-    calls += "void run_" + n + "() {\n  for (int i = 0; i < kInputs; ++i) call_" + n +
-             "(values_in + i * kIn, values_out + i * kOut);\n  keep(values_out);\n}\n" + "void lanes_" + n +
+    calls += "void run_" + n + "() {\n  for (int i = 0; i < kInputs; ++i) {\n    call_" + n +
+             "(values_in + i * kIn, values_out + i * kOut);\n    keep(values_out);\n  }\n}\n" + "void lanes_" + n +
              "() {\n  for (int i = 0; i < kLaneInputs; ++i) call_" + n +
              "(lanes_in + i * kIn, lanes_out + i * kOut);\n  keep(lanes_out);\n}\n";
     timed += "    {run_" + n + ", kInputs, 1, 1e9},\n    {lanes_" + n + ", double(kLaneInputs) * kWidth, 1, 1e9},\n";
@@ -180,17 +198,14 @@ std::string program(const Family& family, const std::vector<Recipe>& recipes, in
 
 }  // namespace
 
+std::string machine_name() {
+  const std::string vendor = processor("vendor_id", "");
+  const std::string maker = vendor == "AuthenticAMD" ? "amd" : vendor == "GenuineIntel" ? "intel" : "other";
+  return maker + (compiler_version().find("clang") == std::string::npos ? "-gcc" : "-clang");
+}
+
 std::string describe_machine() {
-  const TemporaryFolder folder;
-  const fs::path version = folder.path() / "version";
-  if (std::system((compiler() + " --version >'" + version.string() + "' 2>&1").c_str()) != 0)
-    throw std::runtime_error("tune: " + compiler() + " cannot run: expected the name of a C++ compiler in CXX");
-  std::ifstream processors("/proc/cpuinfo");
-  std::string line;
-  while (std::getline(processors, line) && line.rfind("model name", 0) != 0) continue;
-  const std::size_t colon = line.find(": ");
-  return (colon == std::string::npos ? "unknown processor" : line.substr(colon + 2)) + "; " + first_line(version) +
-         kFlags;
+  return processor("model name", "unknown processor") + "; " + compiler_version() + kFlags;
 }
 
 std::vector<Timing> measure_times(const Family& family, const std::vector<Recipe>& recipes, int degree) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -13,7 +15,7 @@ namespace {
 
 constexpr const char* kHead =
     "# How long each recipe takes: family, degree, recipe, ns a call, ns a lane (float, one core).\n"
-    "# Written by `shgen tune`; `shgen write` picks the fastest recipe from it.\n";
+    "# Written by `shgen tune`; `shgen write` picks the fastest recipes from it and its siblings.\n";
 constexpr const char* kMachine = "# Measured on: ";
 
 }  // namespace
@@ -57,11 +59,37 @@ std::string Wisdom::to_string() const {
   return text;
 }
 
-std::filesystem::path wisdom_file() { return installed_or("share/shforge/wisdom.txt", SHFORGE_WISDOM_FILE); }
+std::filesystem::path wisdom_folder() { return installed_or("share/shforge/wisdom", SHFORGE_WISDOM); }
 
-const Wisdom& committed_wisdom() {
-  static const Wisdom kWisdom = Wisdom::read(wisdom_file());
-  return kWisdom;
+const std::map<std::string, Wisdom>& committed_wisdom() {
+  static const std::map<std::string, Wisdom> kMachines = [] {
+    std::map<std::string, Wisdom> machines;
+    if (!std::filesystem::is_directory(wisdom_folder())) return machines;
+    for (const auto& entry : std::filesystem::directory_iterator(wisdom_folder())) {
+      if (entry.path().extension() == ".txt") machines[entry.path().stem().string()] = Wisdom::read(entry.path());
+    }
+    return machines;
+  }();
+  return kMachines;
+}
+
+std::vector<double> mean_slowdowns(const std::map<std::string, Wisdom>& machines, const std::string& family, int degree,
+                                   const std::vector<std::string>& recipes) {
+  std::vector<double> sums;  // of logarithms
+  int counted = 0;
+  for (const auto& [name, wisdom] : machines) {
+    std::vector<double> times;
+    for (const std::string& recipe : recipes) {
+      if (const std::optional<Timing> timing = wisdom.find(family, degree, recipe)) times.push_back(timing->call);
+    }
+    if (times.empty() || times.size() != recipes.size()) continue;
+    const double least = *std::min_element(times.begin(), times.end());
+    sums.resize(recipes.size());
+    for (std::size_t i = 0; i < times.size(); ++i) sums[i] += std::log(times[i] / least);
+    ++counted;
+  }
+  for (double& sum : sums) sum = std::exp(sum / counted);
+  return sums;
 }
 
 }  // namespace sh::codegen

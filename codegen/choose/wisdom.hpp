@@ -1,8 +1,9 @@
-// Wisdom: the measured time of each recipe on the machine that tuned it. The committed file decides which recipe
+// Wisdom: the measured times of the recipes on the machines that were tuned. The committed files decide which recipe
 // `shgen write` takes.
 //
-// It is a text file with one line for each measurement: family, degree, recipe, nanoseconds per call, nanoseconds per
-// lane. `shgen tune` writes it. Everything else only reads it, so generated files do not depend on the current machine.
+// A machine is a family of processors with a family of compilers, such as amd-gcc; its file has a line for each measurement:
+// family, degree, recipe, nanoseconds per call, nanoseconds per lane. `shgen tune` writes it. Everything else only reads the
+// files, so generated files do not depend on the current machine.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +19,7 @@ namespace sh::codegen {
 
 /// The measured time of a recipe.
 struct Timing {
-  double call = 0;  ///< nanoseconds of one call in float, with the arguments in the first-level cache
+  double call = 0;  ///< nanoseconds of one call in float, by itself, with the arguments in the first-level cache
   double lane = 0;  ///< nanoseconds for each result if every variable holds the lanes of a SIMD register
 };
 
@@ -44,11 +45,19 @@ class Wisdom {
   std::map<std::tuple<std::string, int, std::string>, Timing> timings_;
 };
 
-/// The path of the committed file.
-std::filesystem::path wisdom_file();
-const Wisdom& committed_wisdom();
+/// The folder of the committed files.
+std::filesystem::path wisdom_folder();
+/// The committed wisdom, by the name of the machine.
+const std::map<std::string, Wisdom>& committed_wisdom();
+/// How many times as long as the fastest of them each recipe takes, on average over the machines (the geometric mean). Machines
+/// that did not measure all of them do not count; without one that did the list is empty.
+std::vector<double> mean_slowdowns(const std::map<std::string, Wisdom>& machines, const std::string& family, int degree,
+                                   const std::vector<std::string>& recipes);
 
-/// Describes the compiler (the environment variable CXX, otherwise c++) and the processor.
+/// The name of this machine: the maker of its processor and the family of the compiler (the environment variable CXX,
+/// otherwise c++), such as amd-gcc or intel-clang.
+std::string machine_name();
+/// Describes that compiler and the processor.
 std::string describe_machine();
 
 /// Measures recipes: prints them as C++, compiles this code with the machine's compiler and runs it. The times are in

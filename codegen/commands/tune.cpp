@@ -24,7 +24,8 @@ namespace {
 struct TuneOptions {
   std::vector<std::string> families;  // empty: all
   std::optional<int> degree;          // empty: every written degree
-  std::string file;                   // the wisdom file to update; empty: the committed one
+  std::string machine;                // the name of the machine; empty: made up from its processor and compiler
+  std::string file;                   // the wisdom file to update; empty: the committed one of the machine
   bool check = false;                 // measure kernels with several recipes, compare with the choice, write nothing
 };
 
@@ -72,13 +73,21 @@ std::vector<Timing> checked_times(const Task& task, const std::vector<Recipe>& r
   return best;
 }
 
+// An error unless the name can name a file in any folder.
+std::string is_not_a_file_name(const std::string& name) {
+  const bool fits =
+      !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+  return fits ? "" : "expected small letters, digits and hyphens, got " + name;
+}
+
 // Prints a line for every recipe on `out`. Without `check` it returns true. With `check` it returns true if every
 // chosen recipe is at most 10 % slower than the fastest. Throws std::invalid_argument for an unknown family or for a
 // degree that the family does not have.
 bool tune(const TuneOptions& options, std::ostream& out, std::ostream& progress) {
   const output::Stopwatch stopwatch;
   const std::vector<Task> tasks = tasks_of(options);
-  const std::filesystem::path file = options.file.empty() ? wisdom_file() : std::filesystem::path(options.file);
+  const std::string machine = options.machine.empty() ? machine_name() : options.machine;
+  const auto file = options.file.empty() ? wisdom_folder() / (machine + ".txt") : std::filesystem::path(options.file);
   if (!options.check) output::require_writable(file.string());
   Wisdom wisdom = Wisdom::read(file);
   wisdom.set_machine(describe_machine());
@@ -112,7 +121,12 @@ void add_tune_command(CLI::App& tool, int& exit_code) {
       tool.add_subcommand("tune", "Measure the recipes on this machine, so that `shgen write` takes the fastest");
   command->add_option("family", options->families, "Families (default: all)");
   command->add_option("--degree", options->degree, "Degree to measure (default: every written degree)");
-  command->add_option("--out", options->file, "Wisdom file to update (default: the source tree's)");
+  command
+      ->add_option("--machine", options->machine,
+                   "Name of this family of processors and compilers (default: from both, such as amd-gcc)")
+      ->check(CLI::Validator(is_not_a_file_name, "NAME"));
+  command->add_option("--out", options->file,
+                      "Wisdom file to update (default: that of the machine in the source tree)");
   command->add_flag("--check", options->check, "Compare the times with the current choice and write nothing");
   command->callback([options, &exit_code] { exit_code = tune(*options, std::cout, std::cerr) ? kDone : kDifferent; });
 }

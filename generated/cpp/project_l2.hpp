@@ -7,15 +7,14 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis; any weight
 // Output:       sum (9): sum += weight Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
-// Cost:         18 multiplications, 12 additions; longest chain 5; at most 14 values live
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Cost:         19 multiplications, 13 additions; longest chain 7; at most 16 values live
 // Error:        eps counts units of machine epsilon x |weight| sqrt((2l+1)/(4 pi)) + |sum before|
-//               float   rounding  at most 2.8e-07 (3.0 eps)  largest seen 2.9e-07 (2.4 eps)
-//                       total                                largest seen 3.0e-07 (2.8 eps)
-//               double  rounding  at most 5.2e-16 (3.0 eps)  largest seen 4.6e-16 (2.1 eps)
-//                       total                                largest seen 5.5e-16 (2.5 eps)
+//               float   rounding  at most 2.5e-07 (2.6 eps)  largest seen 1.8e-07 (2.0 eps)
+//                       total                                largest seen 1.8e-07 (2.0 eps)
+//               double  rounding  at most 4.8e-16 (2.6 eps)  largest seen 5.1e-16 (2.1 eps)
+//                       total                                largest seen 5.1e-16 (2.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
@@ -65,22 +64,24 @@ constexpr void project_l2(T x, T y, T z, T weight, T* sum) noexcept {
   const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
   const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
   const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
-  const T b_2_0  = detail::constant<T>(0.31539157f, 0.31539156525252);    // 1/4 sqrt(5/pi)
+  const T a_2_00 = detail::constant<T>(0.47308734f, 0.47308734787878);    // 3/8 sqrt(5/pi)
+  const T b_2_00 = detail::constant<T>(0.15769579f, 0.15769578262626);    // 1/8 sqrt(5/pi)
 
-  sum[6] = sum[6] + (a_2_0 * z * z - b_2_0) * weight;       // l=2 m=0
-  sum[4] = sum[4] + weight * (k_2_2s * x * y);              // l=2 m=-2
-  sum[8] = sum[8] + weight * (k_2_2c * (x - y) * (x + y));  // l=2 m=2
+  const T x2 = x * x;
+  const T y2 = y * y;
+  sum[8] = sum[8] + weight * (k_2_2c * (x2 - y2));                     // l=2 m=2
+  sum[6] = sum[6] + (a_2_00 * (z * z - (x2 + y2)) + b_2_00) * weight;  // l=2 m=0
+  sum[4] = sum[4] + weight * (k_2_2s * x * y);                         // l=2 m=-2
   const T t = k_1_1 * weight;
   const T y_1_1c = t * x;
   const T y_1_1s = t * y;
-  sum[1] = sum[1] + y_1_1s;                                 // l=1 m=-1
-  sum[3] = sum[3] + y_1_1c;                                 // l=1 m=1
+  sum[1] = sum[1] + y_1_1s;                                            // l=1 m=-1
+  sum[3] = sum[3] + y_1_1c;                                            // l=1 m=1
   const T t_2_1 = k_2_1 * z;
-  sum[5] = sum[5] + t_2_1 * y_1_1s;                         // l=2 m=-1
-  sum[7] = sum[7] + t_2_1 * y_1_1c;                         // l=2 m=1
-  sum[2] = sum[2] + k_1_1 * z * weight;                     // l=1 m=0
-  sum[0] = sum[0] + k_0_0 * weight;                         // l=0 m=0
+  sum[5] = sum[5] + t_2_1 * y_1_1s;                                    // l=2 m=-1
+  sum[7] = sum[7] + t_2_1 * y_1_1c;                                    // l=2 m=1
+  sum[2] = sum[2] + k_1_1 * z * weight;                                // l=1 m=0
+  sum[0] = sum[0] + k_0_0 * weight;                                    // l=0 m=0
 }
 
 }  // namespace sh

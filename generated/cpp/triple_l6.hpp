@@ -6,17 +6,17 @@
 // Input:        a (49), b (49), c (49)
 // Domain:       any coefficients
 // Output:       the integral of a b c, orthonormal basis at index l(l+1)+m, no Condon-Shortley phase
-// Recipe:       separable
+// Recipe:       looped
 // Source:       quadrature on rings of constant z (Gauss, Radau or Lobatto; M. Abramowitz, I. Stegun, 1964, 25.4),
 //               split by parity; w, z, theta_l_m = Y_lm / cos(m phi) derived exactly; z1, z2, ...: square roots of the
 //               zeros of the Jacobi polynomial P_4^(1,1/2)(2t-1), falling
-// Cost:         1864 multiplications, 1983 additions; longest chain 31; at most 282 values live
+// Cost:         1864 multiplications, 2032 additions; longest chain 32; at most 169 values live
 // Error:        eps counts units of machine epsilon x |a| |b| |c|
-//               float   rounding  largest seen 5.9e-07 (4.9 eps)
-//               double  rounding  largest seen 8.3e-16 (3.7 eps)
+//               float   rounding  largest seen 5.1e-07 (4.3 eps)
+//               double  rounding  largest seen 8.4e-16 (3.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: it has more than two arrays of coefficients
-//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 73984
+//               seen:     among 120 sets of unit vectors of coefficients (random, single coefficients, equal) and 48128
 //               evaluations of a search, without contraction
 #pragma once
 
@@ -54,1614 +54,761 @@ constexpr T constant([[maybe_unused]] float in_float, [[maybe_unused]] double in
 
 namespace sh {
 
+namespace detail {
+
+// Constants of the loop, row by row.
+template <class S>
+inline constexpr S triple_l6_table[268] = {
+    constant<S>(0.0014207305f, 0.001420730472750245), constant<S>(0.00382063f, 0.003820630034964201),
+    constant<S>(0.012866315f, 0.01286631568548291), constant<S>(0.010196309f, 0.010196308942672472),
+    constant<S>(0.0706632f, 0.07066320185384733), constant<S>(0.031585436f, 0.03158543553535305),
+    constant<S>(0.026907358f, 0.026907358659285056), constant<S>(0.15285365f, 0.15285366011956567),
+    constant<S>(0.29132107f, 0.29132106642026373), constant<S>(0.2588022f, 0.2588022052619414),
+    constant<S>(0.06972717f, 0.06972716629019513), constant<S>(0.30835918f, 0.308359188541075),
+    constant<S>(0.61207473f, 0.612074709793072), constant<S>(2.6816173f, 2.6816172012987676),
+    constant<S>(0.17230527f, 0.17230527656432132), constant<S>(0.17456266f, 0.17456266049758248),
+    constant<S>(0.5489419f, 0.5489419161278503), constant<S>(0.7716058f, 0.7716057760445927),
+    constant<S>(1.9023415f, 1.902341526341972), constant<S>(2.102441f, 2.1024411080834775),
+    constant<S>(0.3645725f, 0.364572491179092), constant<S>(0.2820948f, 0.28209479177387814),
+    constant<S>(0.51001215f, 0.5100121358226182), constant<S>(0.36650226f, 0.366502244879295),
+    constant<S>(0.014898615f, 0.014898614871543312), constant<S>(1.0400869f, 1.0400868588644643),
+    constant<S>(0.44963196f, 0.4496319627476015), constant<S>(0.45635545f, 0.45635544501829794),
+    constant<S>(0.00024461932f, 0.00024461932157509106), constant<S>(0.00065783056f, 0.0006578305632687417),
+    constant<S>(0.0022153037f, 0.0022153036585899045), constant<S>(0.0017555858f, 0.0017555857525166495),
+    constant<S>(0.005438335f, 0.005438334688039093), constant<S>(0.012166688f, 0.012166688073037864),
+    constant<S>(0.00463287f, 0.004632870165634186), constant<S>(0.012981322f, 0.012981322084791453),
+    constant<S>(0.026318122f, 0.026318122512242886), constant<S>(0.04456019f, 0.04456019004840667),
+    constant<S>(0.012005523f, 0.012005522821118183), constant<S>(0.029667273f, 0.029667273747835118),
+    constant<S>(0.05309284f, 0.05309283987999853), constant<S>(0.07955627f, 0.079556271597834),
+    constant<S>(0.10538614f, 0.10538613983060019), constant<S>(0.011501913f, 0.011501912905185088),
+    constant<S>(0.024021639f, 0.024021638013625186), constant<S>(0.03616972f, 0.036169717460254866),
+    constant<S>(0.04569736f, 0.045697359524074076), constant<S>(0.05084101f, 0.05084101266505138),
+    constant<S>(0.05050408f, 0.05050407924334632), constant<S>(0.048570674f, 0.048570673964648196),
+    constant<S>(0.07857462f, 0.07857462164612783), constant<S>(0.087813154f, 0.08781315320032826),
+    constant<S>(0.081724435f, 0.08172443141438483), constant<S>(0.063103825f, 0.06310382737449845),
+    constant<S>(0.035329662f, 0.035329661352898625), constant<S>(0.002565222f, 0.002565221998251715),
+    constant<S>(0.015027974f, 0.015027973427148487), constant<S>(0.031385783f, 0.031385782584269196),
+    constant<S>(0.047258012f, 0.047258013283611434), constant<S>(0.05970648f, 0.05970647754679594),
+    constant<S>(0.066426985f, 0.06642698424496694), constant<S>(0.06598676f, 0.06598675951453804),
+    constant<S>(0.0060027614f, 0.006002761410559092), constant<S>(0.014833637f, 0.014833636873917559),
+    constant<S>(0.02654642f, 0.026546419939999264), constant<S>(0.039778136f, 0.039778135798917),
+    constant<S>(0.05269307f, 0.052693069915300095),
+    constant<S>(0.03886128f, 0.03886127810602685), constant<S>(0.06020596f, 0.06020595816023053),
+    constant<S>(0.17029227f, 0.17029227504934286), constant<S>(0.09256495f, 0.0925649509800053),
+    constant<S>(0.43057197f, 0.4305719774728224), constant<S>(0.24083894f, 0.24083894549952742),
+    constant<S>(0.1407258f, 0.1407258108991568), constant<S>(0.52959555f, 0.5295955808516682),
+    constant<S>(0.50975156f, 0.5097515644580078), constant<S>(0.649711f, 0.6497110396450441),
+    constant<S>(0.21008924f, 0.21008924030994622), constant<S>(0.601848f, 0.6018480341931656),
+    constant<S>(0.42882162f, 0.42882161493476983), constant<S>(1.4033352f, 1.4033351921415405),
+    constant<S>(0.43605033f, 0.4360503401428794), constant<S>(0.3030067f, 0.3030067126549601),
+    constant<S>(0.5887186f, 0.588718582653552), constant<S>(0.09483849f, 0.09483849567775747),
+    constant<S>(0.80092204f, 0.8009220575474311), constant<S>(-0.5141674f, -0.5141674541104346),
+    constant<S>(0.53152174f, 0.5315217624837072), constant<S>(0.2820948f, 0.28209479177387814),
+    constant<S>(0.2668979f, 0.26689789216466575), constant<S>(-0.23343825f, -0.23343824743752842),
+    constant<S>(-0.3713553f, -0.3713552970606213), constant<S>(0.058864407f, 0.05886440854262506),
+    constant<S>(-1.0097771f, -1.0097770498827088), constant<S>(0.3833006f, 0.38330059577814046),
+    constant<S>(0.011425439f, 0.011425439712445548), constant<S>(0.0177009f, 0.01770089865322912),
+    constant<S>(0.05006691f, 0.05006691022263923), constant<S>(0.02721463f, 0.027214629020230537),
+    constant<S>(0.07080804f, 0.07080803788043863), constant<S>(0.12659064f, 0.12659064267166376),
+    constant<S>(0.0413742f, 0.0413741993772452), constant<S>(0.09737213f, 0.09737212694247846),
+    constant<S>(0.15570416f, 0.15570415271699237), constant<S>(0.19101879f, 0.19101878980206594),
+    constant<S>(0.061767448f, 0.06176744735069617), constant<S>(0.1282013f, 0.12820131286729844),
+    constant<S>(0.17694679f, 0.17694679037490144), constant<S>(0.17990941f, 0.179909414025428),
+    constant<S>(0.12607603f, 0.12607602599850956), constant<S>(0.03409163f, 0.034091628983289705),
+    constant<S>(0.059802115f, 0.05980211647579207), constant<S>(0.0662374f, 0.06623739559937611),
+    constant<S>(0.047896836f, 0.04789683417348251), constant<S>(0.010670387f, 0.010670386737145134),
+    constant<S>(-0.030748302f, -0.030748301978773686), constant<S>(0.082937494f, 0.08293749443375803),
+    constant<S>(0.11269259f, 0.11269258403851681), constant<S>(0.078469515f, 0.07846951837215198),
+    constant<S>(0.0066335825f, 0.0066335823065673625), constant<S>(-0.06863219f, -0.06863219000156331),
+    constant<S>(-0.11379439f, -0.11379438505407276), constant<S>(-0.1091806f, -0.10918059737735238),
+    constant<S>(0.04454286f, 0.04454285984187241), constant<S>(0.07813523f, 0.07813523060849328),
+    constant<S>(0.08654333f, 0.0865433279800103), constant<S>(0.06258023f, 0.06258022966589746),
+    constant<S>(0.013941532f, 0.01394153213166191), constant<S>(-0.040174592f, -0.0401745925983007),
+    constant<S>(0.030883724f, 0.030883723675348085), constant<S>(0.06410065f, 0.06410065643364922),
+    constant<S>(0.088473395f, 0.08847339518745072), constant<S>(0.089954704f, 0.089954707012714),
+    constant<S>(0.063038014f, 0.06303801299925478),
+    constant<S>(0.21529771f, 0.21529771548404458), constant<S>(0.25075027f, 0.2507502783417561),
+    constant<S>(0.5110253f, 0.5110252945190704), constant<S>(0.28981987f, 0.28981985613607153),
+    constant<S>(0.5875155f, 0.5875154717210493), constant<S>(0.5433176f, 0.5433176034635577),
+    constant<S>(0.331234f, 0.33123401636383426), constant<S>(0.5150739f, 0.5150738969150781),
+    constant<S>(3.7354882f, 3.735488223518161), constant<S>(0.150362f, 0.15036200599396798),
+    constant<S>(0.37174454f, 0.3717445336968389), constant<S>(0.39805874f, 0.39805873070765196),
+    constant<S>(-0.43329895f, -0.4332989346153968), constant<S>(-0.06886487f, -0.0688648637825454),
+    constant<S>(0.5559336f, 0.5559335812444329), constant<S>(0.40306273f, 0.4030627280568947),
+    constant<S>(0.2252588f, 0.2252588046928113), constant<S>(-0.49669537f, -0.4966953655234746),
+    constant<S>(-0.46758503f, -0.46758504177743815), constant<S>(-0.64859885f, -0.6485988409472917),
+    constant<S>(0.50943285f, 0.5094328419030426), constant<S>(0.2820948f, 0.28209479177387814),
+    constant<S>(-0.013097289f, -0.013097289293885536), constant<S>(-0.318639f, -0.31863900915391147),
+    constant<S>(0.24960025f, 0.24960025078816908), constant<S>(-1.0712116f, -1.0712115339250137),
+    constant<S>(-0.22348164f, -0.22348163279304456), constant<S>(0.2761754f, 0.2761754005866141),
+    constant<S>(0.08388711f, 0.08388710576736227), constant<S>(0.097700596f, 0.09770059600102574),
+    constant<S>(0.19911234f, 0.19911234466533687), constant<S>(0.11292339f, 0.11292339480011851),
+    constant<S>(0.2116945f, 0.21169449552470954), constant<S>(0.22891545f, 0.22891544578362163),
+    constant<S>(0.12905972f, 0.12905972040618505), constant<S>(0.21884733f, 0.21884733979748638),
+    constant<S>(0.20068981f, 0.20068981396936703), constant<S>(0.05858601f, 0.0585860071568828),
+    constant<S>(0.14484395f, 0.14484395687411064), constant<S>(0.2166101f, 0.21661009743940518),
+    constant<S>(0.15509684f, 0.1550968377412691), constant<S>(-0.014916825f, -0.014916824854088524),
+    constant<S>(-0.1688276f, -0.16882758590934005), constant<S>(0.060099117f, 0.060099116811696024),
+    constant<S>(0.07595955f, 0.07595955106254215), constant<S>(0.033587463f, 0.03358746486275292),
+    constant<S>(-0.03551755f, -0.035517549856974216), constant<S>(-0.07406031f, -0.07406031546585899),
+    constant<S>(-0.049267277f, -0.049267276778041456), constant<S>(0.10991345f, 0.10991345440314748),
+    constant<S>(0.10760707f, 0.10760706395451677), constant<S>(-0.005103137f, -0.00510313678801362),
+    constant<S>(-0.11526993f, -0.11526992803988496), constant<S>(-0.12415229f, -0.12415228931903177),
+    constant<S>(-0.024048202f, -0.02404820235262098), constant<S>(0.09725251f, 0.09725250725653424),
+    constant<S>(0.07852328f, 0.07852328024794125), constant<S>(0.099245936f, 0.09924593624695359),
+    constant<S>(0.04388414f, 0.04388413767375958), constant<S>(-0.046405915f, -0.04640591524627276),
+    constant<S>(-0.09676447f, -0.09676446535475249), constant<S>(-0.064370796f, -0.0643707992185029),
+    constant<S>(0.072421975f, 0.07242197843705532), constant<S>(0.10830505f, 0.10830504871970259),
+    constant<S>(0.07754842f, 0.07754841887063454), constant<S>(-0.0074584126f, -0.007458412427044262),
+    constant<S>(-0.0844138f, -0.08441379295467002),
+    constant<S>(0.5191288f, 0.5191287750743847), constant<S>(0.522121f, 0.5221209958945917),
+    constant<S>(0.55677474f, 0.5567747527310394), constant<S>(0.521137f, 0.5211370181476411),
+    constant<S>(-0.015881144f, -0.01588114316990323), constant<S>(0.5111931f, 0.5111930799437336),
+    constant<S>(0.5143429f, 0.5143429258331865), constant<S>(-0.09072912f, -0.09072912077603644),
+    constant<S>(-0.942948f, -0.9429479711075295), constant<S>(-0.48397508f, -0.48397507431321735),
+    constant<S>(0.49849004f, 0.4984900392736293), constant<S>(-0.16736767f, -0.16736767275003273),
+    constant<S>(-0.13534568f, -0.13534568481529086), constant<S>(-1.2231404f, -1.223140337779531),
+    constant<S>(0.3900697f, 0.3900696894880634), constant<S>(0.46674383f, 0.4667438312711535),
+    constant<S>(-0.24564609f, -0.2456460819846465), constant<S>(-0.027665181f, -0.02766518119570615),
+    constant<S>(-1.4621555f, -1.4621554654435929), constant<S>(1.4015961f, 1.4015960130436245),
+    constant<S>(0.30867416f, 0.3086741698430194), constant<S>(0.2820948f, 0.28209479177387814),
+    constant<S>(-0.23262694f, -0.23262694458389097), constant<S>(0.06808531f, 0.06808531189561687),
+    constant<S>(0.122627296f, 0.12262729392758455), constant<S>(-1.9572452f, -1.9572452892529557),
+    constant<S>(2.2401266f, 2.24012655339942), constant<S>(0.14450817f, 0.14450816796350296),
+    constant<S>(0.23393431f, 0.23393431229300266), constant<S>(0.23528269f, 0.23528269279782757),
+    constant<S>(0.25089866f, 0.25089866933995186), constant<S>(0.23483929f, 0.23483928420905972),
+    constant<S>(0.23035826f, 0.2303582605076055), constant<S>(-0.0071564987f, -0.007156498511078864),
+    constant<S>(0.23177767f, 0.23177767138860036), constant<S>(0.20565039f, 0.20565039588172424),
+    constant<S>(-0.040885143f, -0.04088514351886896), constant<S>(-0.21809305f, -0.21809304668228913),
+    constant<S>(0.2246339f, 0.22463390611641404), constant<S>(0.17577659f, 0.17577658750212818),
+    constant<S>(-0.07542067f, -0.07542067268232065), constant<S>(-0.21499944f, -0.21499943461108637),
+    constant<S>(-0.060990646f, -0.0609906466744283), constant<S>(0.0804891f, 0.08048910006951389),
+    constant<S>(0.053230282f, 0.05323028282496001), constant<S>(-0.042361207f, -0.04236120704734035),
+    constant<S>(-0.07783095f, -0.07783094895962349), constant<S>(-0.004770809f, -0.004770808714574751),
+    constant<S>(0.07460735f, 0.07460735218064846), constant<S>(0.12712f, 0.12712000236473922),
+    constant<S>(0.06511953f, 0.06511952431922095), constant<S>(-0.10482837f, -0.10482837190879536),
+    constant<S>(-0.12745488f, -0.1274548822121885), constant<S>(0.030681195f, 0.030681193916236898),
+    constant<S>(0.14587598f, 0.14587597557222617), constant<S>(0.055259377f, 0.05525937503501118),
+    constant<S>(0.10516408f, 0.10516407722705542), constant<S>(0.06954872f, 0.0695487161489878),
+    constant<S>(-0.055347584f, -0.05534758427551506), constant<S>(-0.10169104f, -0.1016910354318276),
+    constant<S>(-0.006233362f, -0.006233361978972841), constant<S>(0.0974792f, 0.09747920326672405),
+    constant<S>(0.11231695f, 0.11231695305820702), constant<S>(0.08788829f, 0.08788829375106409),
+    constant<S>(-0.037710335f, -0.037710336341160326), constant<S>(-0.10749972f, -0.10749971730554318),
+    constant<S>(-0.030495323f, -0.03049532333721415)
+};
+
+}  // namespace detail
+
 template <class T>
 constexpr T triple_l6(const T* a, const T* b, const T* c) noexcept {
-  const T k     = detail::constant<T>(0.0014207305f, 0.001420730472750245);     // theta_6_6(z1)
-  const T k_2   = detail::constant<T>(0.00382063f, 0.003820630034964201);       // theta_5_5(z1)
-  const T k_3   = detail::constant<T>(0.012866315f, 0.01286631568548291);       // theta_6_5(z1)
-  const T k_4   = detail::constant<T>(0.010196309f, 0.010196308942672472);      // theta_4_4(z1)
-  const T k_5   = detail::constant<T>(0.0706632f, 0.07066320185384733);         // theta_6_4(z1)
-  const T k_6   = detail::constant<T>(0.031585436f, 0.03158543553535305);       // theta_5_4(z1)
-  const T k_7   = detail::constant<T>(0.026907358f, 0.026907358659285056);      // theta_3_3(z1)
-  const T k_8   = detail::constant<T>(0.15285365f, 0.15285366011956567);        // theta_5_3(z1)
-  const T k_9   = detail::constant<T>(0.29132107f, 0.29132106642026373);        // theta_4_3(z1) / theta_6_3(z1)
-  const T k_10  = detail::constant<T>(0.2588022f, 0.2588022052619414);          // theta_6_3(z1)
-  const T k_11  = detail::constant<T>(0.06972717f, 0.06972716629019513);        // theta_2_2(z1)
-  const T k_12  = detail::constant<T>(0.30835918f, 0.308359188541075);          // theta_4_2(z1)
-  const T k_13  = detail::constant<T>(0.61207473f, 0.612074709793072);          // theta_6_2(z1)
-  const T k_14  = detail::constant<T>(0.3729093f, 0.3729093024596044);          // theta_3_2(z1) / theta_5_2(z1)
-  const T k_15  = detail::constant<T>(0.4620568f, 0.4620567935094254);          // theta_5_2(z1)
-  const T k_16  = detail::constant<T>(0.17456266f, 0.17456266049758248);        // theta_1_1(z1)
-  const T k_17  = detail::constant<T>(0.5489419f, 0.5489419161278503);          // theta_3_1(z1)
-  const T k_18  = detail::constant<T>(0.7716058f, 0.7716057760445927);          // theta_5_1(z1)
-  const T k_19  = detail::constant<T>(0.47563758f, 0.47563757964738906);        // theta_2_1(z1) / theta_6_1(z1)
-  const T k_20  = detail::constant<T>(0.9048251f, 0.9048251192520155);          // theta_4_1(z1) / theta_6_1(z1)
-  const T k_21  = detail::constant<T>(0.7664922f, 0.766492192331324);           // theta_6_1(z1)
-  const T k_22  = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z1)
-  const T k_23  = detail::constant<T>(0.51001215f, 0.5100121358226182);         // theta_2_0(z1)
-  const T k_24  = detail::constant<T>(0.36650226f, 0.366502244879295);          // theta_4_0(z1)
-  const T k_25  = detail::constant<T>(0.014898615f, 0.014898614871543312);      // theta_6_0(z1)
-  const T k_26  = detail::constant<T>(0.96145815f, 0.9614581623421048);         // theta_1_0(z1) / theta_3_0(z1)
-  const T k_27  = detail::constant<T>(0.43230233f, 0.43230232063358265);        // theta_5_0(z1) / theta_3_0(z1)
-  const T k_28  = detail::constant<T>(0.4746493f, 0.4746493013347763);          // theta_3_0(z1)
-  const T k_29  = detail::constant<T>(0.70710677f, 0.7071067811865476);         // 1/2 sqrt(2)
-  const T k_30  = detail::constant<T>(0.9238795f, 0.9238795325112867);          // cos(2 pi/16)
-  const T k_31  = detail::constant<T>(0.38268343f, 0.3826834323650898);         // cos(6 pi/16)
-  const T k_32  = detail::constant<T>(1.4142135f, 1.4142135623730951);          // sqrt(2)
-  const T k_33  = detail::constant<T>(0.5f, 0.5);                               // 1/2
-  const T k_34  = detail::constant<T>(0.76536685f, 0.7653668647301796);         // 2 cos(6 pi/16)
-  const T k_35  = detail::constant<T>(1.847759f, 1.8477590650225735);           // 2 cos(2 pi/16)
-  const T k_36  = detail::constant<T>(1.306563f, 1.3065629648763766);           // 1/2 / cos(6 pi/16)
-  const T k_37  = detail::constant<T>(2.4142137f, 2.414213562373095);           // cos(2 pi/16) / cos(6 pi/16)
-  const T k_38  = detail::constant<T>(1.847759f, 1.8477590650225735);           // 1/2 sqrt(2) / cos(6 pi/16)
-  const T k_39  = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T k_40  = detail::constant<T>(0.00024461932f, 0.00024461932157509106);  // 1/2 pi theta_6_6(z1) w(z1)
-  const T k_41  = detail::constant<T>(0.00065783056f, 0.0006578305632687417);   // 1/2 pi theta_5_5(z1) w(z1)
-  const T k_42  = detail::constant<T>(0.0022153037f, 0.0022153036585899045);    // 1/2 pi theta_6_5(z1) w(z1)
-  const T k_43  = detail::constant<T>(0.0017555858f, 0.0017555857525166495);    // 1/2 pi theta_4_4(z1) w(z1)
-  const T k_44  = detail::constant<T>(0.005438335f, 0.005438334688039093);      // 1/2 pi theta_5_4(z1) w(z1)
-  const T k_45  = detail::constant<T>(0.012166688f, 0.012166688073037864);      // 1/2 pi theta_6_4(z1) w(z1)
-  const T k_46  = detail::constant<T>(0.00463287f, 0.004632870165634186);       // 1/2 pi theta_3_3(z1) w(z1)
-  const T k_47  = detail::constant<T>(0.012981322f, 0.012981322084791453);      // 1/2 pi theta_4_3(z1) w(z1)
-  const T k_48  = detail::constant<T>(0.026318122f, 0.026318122512242886);      // 1/2 pi theta_5_3(z1) w(z1)
-  const T k_49  = detail::constant<T>(0.04456019f, 0.04456019004840667);        // 1/2 pi theta_6_3(z1) w(z1)
-  const T k_50  = detail::constant<T>(0.012005523f, 0.012005522821118183);      // 1/2 pi theta_2_2(z1) w(z1)
-  const T k_51  = detail::constant<T>(0.029667273f, 0.029667273747835118);      // 1/2 pi theta_3_2(z1) w(z1)
-  const T k_52  = detail::constant<T>(0.05309284f, 0.05309283987999853);        // 1/2 pi theta_4_2(z1) w(z1)
-  const T k_53  = detail::constant<T>(0.07955627f, 0.079556271597834);          // 1/2 pi theta_5_2(z1) w(z1)
-  const T k_54  = detail::constant<T>(0.10538614f, 0.10538613983060019);        // 1/2 pi theta_6_2(z1) w(z1)
-  const T k_55  = detail::constant<T>(0.011501913f, 0.011501912905185088);      // 1/2 pi cos(6 pi/16) theta_1_1(z1) w(z1)
-  const T k_56  = detail::constant<T>(0.024021639f, 0.024021638013625186);      // 1/2 pi cos(6 pi/16) theta_2_1(z1) w(z1)
-  const T k_57  = detail::constant<T>(0.03616972f, 0.036169717460254866);       // 1/2 pi cos(6 pi/16) theta_3_1(z1) w(z1)
-  const T k_58  = detail::constant<T>(0.04569736f, 0.045697359524074076);       // 1/2 pi cos(6 pi/16) theta_4_1(z1) w(z1)
-  const T k_59  = detail::constant<T>(0.05084101f, 0.05084101266505138);        // 1/2 pi cos(6 pi/16) theta_5_1(z1) w(z1)
-  const T k_60  = detail::constant<T>(0.05050408f, 0.05050407924334632);        // 1/2 pi cos(6 pi/16) theta_6_1(z1) w(z1)
-  const T k_61  = detail::constant<T>(0.048570674f, 0.048570673964648196);      // 1/2 pi theta_0_0(z1) w(z1)
-  const T k_62  = detail::constant<T>(0.07857462f, 0.07857462164612783);        // 1/2 pi theta_1_0(z1) w(z1)
-  const T k_63  = detail::constant<T>(0.087813154f, 0.08781315320032826);       // 1/2 pi theta_2_0(z1) w(z1)
-  const T k_64  = detail::constant<T>(0.081724435f, 0.08172443141438483);       // 1/2 pi theta_3_0(z1) w(z1)
-  const T k_65  = detail::constant<T>(0.063103825f, 0.06310382737449845);       // 1/2 pi theta_4_0(z1) w(z1)
-  const T k_66  = detail::constant<T>(0.035329662f, 0.035329661352898625);      // 1/2 pi theta_5_0(z1) w(z1)
-  const T k_67  = detail::constant<T>(0.002565222f, 0.002565221998251715);      // 1/2 pi theta_6_0(z1) w(z1)
-  const T k_68  = detail::constant<T>(0.015027974f, 0.015027973427148487);      // 1/4 pi theta_1_1(z1) w(z1)
-  const T k_69  = detail::constant<T>(0.031385783f, 0.031385782584269196);      // 1/4 pi theta_2_1(z1) w(z1)
-  const T k_70  = detail::constant<T>(0.047258012f, 0.047258013283611434);      // 1/4 pi theta_3_1(z1) w(z1)
-  const T k_71  = detail::constant<T>(0.05970648f, 0.05970647754679594);        // 1/4 pi theta_4_1(z1) w(z1)
-  const T k_72  = detail::constant<T>(0.066426985f, 0.06642698424496694);       // 1/4 pi theta_5_1(z1) w(z1)
-  const T k_73  = detail::constant<T>(0.06598676f, 0.06598675951453804);        // 1/4 pi theta_6_1(z1) w(z1)
-  const T k_74  = detail::constant<T>(0.0060027614f, 0.006002761410559092);     // 1/4 pi theta_2_2(z1) w(z1)
-  const T k_75  = detail::constant<T>(0.014833637f, 0.014833636873917559);      // 1/4 pi theta_3_2(z1) w(z1)
-  const T k_76  = detail::constant<T>(0.02654642f, 0.026546419939999264);       // 1/4 pi theta_4_2(z1) w(z1)
-  const T k_77  = detail::constant<T>(0.039778136f, 0.039778135798917);         // 1/4 pi theta_5_2(z1) w(z1)
-  const T k_78  = detail::constant<T>(0.05269307f, 0.052693069915300095);       // 1/4 pi theta_6_2(z1) w(z1)
-  const T k_79  = detail::constant<T>(0.03886128f, 0.03886127810602685);        // theta_6_6(z2)
-  const T k_80  = detail::constant<T>(0.06020596f, 0.06020595816023053);        // theta_5_5(z2)
-  const T k_81  = detail::constant<T>(0.17029227f, 0.17029227504934286);        // theta_6_5(z2)
-  const T k_82  = detail::constant<T>(0.09256495f, 0.0925649509800053);         // theta_4_4(z2)
-  const T k_83  = detail::constant<T>(0.43057197f, 0.4305719774728224);         // theta_6_4(z2)
-  const T k_84  = detail::constant<T>(0.24083894f, 0.24083894549952742);        // theta_5_4(z2)
-  const T k_85  = detail::constant<T>(0.1407258f, 0.1407258108991568);          // theta_3_3(z2)
-  const T k_86  = detail::constant<T>(0.52959555f, 0.5295955808516682);         // theta_5_3(z2)
-  const T k_87  = detail::constant<T>(0.50975156f, 0.5097515644580078);         // theta_4_3(z2) / theta_6_3(z2)
-  const T k_88  = detail::constant<T>(0.649711f, 0.6497110396450441);           // theta_6_3(z2)
-  const T k_89  = detail::constant<T>(0.21008924f, 0.21008924030994622);        // theta_2_2(z2)
-  const T k_90  = detail::constant<T>(0.601848f, 0.6018480341931656);           // theta_4_2(z2)
-  const T k_91  = detail::constant<T>(0.42882162f, 0.42882161493476983);        // theta_6_2(z2)
-  const T k_92  = detail::constant<T>(0.71258813f, 0.7125881297638975);         // theta_3_2(z2) / theta_5_2(z2)
-  const T k_93  = detail::constant<T>(0.61192477f, 0.6119247878677917);         // theta_5_2(z2)
-  const T k_94  = detail::constant<T>(0.3030067f, 0.3030067126549601);          // theta_1_1(z2)
-  const T k_95  = detail::constant<T>(0.5887186f, 0.588718582653552);           // theta_3_1(z2)
-  const T k_96  = detail::constant<T>(0.09483849f, 0.09483849567775747);        // theta_5_1(z2)
-  const T k_97  = detail::constant<T>(0.80092204f, 0.8009220575474311);         // theta_4_1(z2) / theta_2_1(z2)
-  const T k_98  = detail::constant<T>(0.5141674f, 0.5141674541104346);          // -theta_6_1(z2) / theta_2_1(z2)
-  const T k_99  = detail::constant<T>(0.53152174f, 0.5315217624837072);         // theta_2_1(z2)
-  const T k_100 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z2)
-  const T k_101 = detail::constant<T>(0.2668979f, 0.26689789216466575);         // theta_2_0(z2)
-  const T k_102 = detail::constant<T>(0.23343825f, 0.23343824743752842);        // -theta_4_0(z2)
-  const T k_103 = detail::constant<T>(0.3713553f, 0.3713552970606213);          // -theta_6_0(z2)
-  const T k_104 = detail::constant<T>(0.99031764f, 0.990317615275724);          // -theta_1_0(z2) / theta_5_0(z2)
-  const T k_105 = detail::constant<T>(0.05829446f, 0.058294460692548414);       // -theta_3_0(z2) / theta_5_0(z2)
-  const T k_106 = detail::constant<T>(0.38704816f, 0.3870481448231354);         // -theta_5_0(z2)
-  const T k_107 = detail::constant<T>(0.011425439f, 0.011425439712445548);      // 1/2 pi theta_6_6(z2) w(z2)
-  const T k_108 = detail::constant<T>(0.0177009f, 0.01770089865322912);         // 1/2 pi theta_5_5(z2) w(z2)
-  const T k_109 = detail::constant<T>(0.05006691f, 0.05006691022263923);        // 1/2 pi theta_6_5(z2) w(z2)
-  const T k_110 = detail::constant<T>(0.02721463f, 0.027214629020230537);       // 1/2 pi theta_4_4(z2) w(z2)
-  const T k_111 = detail::constant<T>(0.07080804f, 0.07080803788043863);        // 1/2 pi theta_5_4(z2) w(z2)
-  const T k_112 = detail::constant<T>(0.12659064f, 0.12659064267166376);        // 1/2 pi theta_6_4(z2) w(z2)
-  const T k_113 = detail::constant<T>(0.0413742f, 0.0413741993772452);          // 1/2 pi theta_3_3(z2) w(z2)
-  const T k_114 = detail::constant<T>(0.09737213f, 0.09737212694247846);        // 1/2 pi theta_4_3(z2) w(z2)
-  const T k_115 = detail::constant<T>(0.15570416f, 0.15570415271699237);        // 1/2 pi theta_5_3(z2) w(z2)
-  const T k_116 = detail::constant<T>(0.19101879f, 0.19101878980206594);        // 1/2 pi theta_6_3(z2) w(z2)
-  const T k_117 = detail::constant<T>(0.061767448f, 0.06176744735069617);       // 1/2 pi theta_2_2(z2) w(z2)
-  const T k_118 = detail::constant<T>(0.1282013f, 0.12820131286729844);         // 1/2 pi theta_3_2(z2) w(z2)
-  const T k_119 = detail::constant<T>(0.17694679f, 0.17694679037490144);        // 1/2 pi theta_4_2(z2) w(z2)
-  const T k_120 = detail::constant<T>(0.17990941f, 0.179909414025428);          // 1/2 pi theta_5_2(z2) w(z2)
-  const T k_121 = detail::constant<T>(0.12607603f, 0.12607602599850956);        // 1/2 pi theta_6_2(z2) w(z2)
-  const T k_122 = detail::constant<T>(0.03409163f, 0.034091628983289705);       // 1/2 pi cos(6 pi/16) theta_1_1(z2) w(z2)
-  const T k_123 = detail::constant<T>(0.059802115f, 0.05980211647579207);       // 1/2 pi cos(6 pi/16) theta_2_1(z2) w(z2)
-  const T k_124 = detail::constant<T>(0.0662374f, 0.06623739559937611);         // 1/2 pi cos(6 pi/16) theta_3_1(z2) w(z2)
-  const T k_125 = detail::constant<T>(0.047896836f, 0.04789683417348251);       // 1/2 pi cos(6 pi/16) theta_4_1(z2) w(z2)
-  const T k_126 = detail::constant<T>(0.010670387f, 0.010670386737145134);      // 1/2 pi cos(6 pi/16) theta_5_1(z2) w(z2)
-  const T k_127 = detail::constant<T>(0.030748302f, 0.030748301978773686);      // -1/2 pi cos(6 pi/16) theta_6_1(z2) w(z2)
-  const T k_128 = detail::constant<T>(0.082937494f, 0.08293749443375803);       // 1/2 pi theta_0_0(z2) w(z2)
-  const T k_129 = detail::constant<T>(0.11269259f, 0.11269258403851681);        // 1/2 pi theta_1_0(z2) w(z2)
-  const T k_130 = detail::constant<T>(0.078469515f, 0.07846951837215198);       // 1/2 pi theta_2_0(z2) w(z2)
-  const T k_131 = detail::constant<T>(0.0066335825f, 0.0066335823065673625);    // 1/2 pi theta_3_0(z2) w(z2)
-  const T k_132 = detail::constant<T>(0.06863219f, 0.06863219000156331);        // -1/2 pi theta_4_0(z2) w(z2)
-  const T k_133 = detail::constant<T>(0.11379439f, 0.11379438505407276);        // -1/2 pi theta_5_0(z2) w(z2)
-  const T k_134 = detail::constant<T>(0.1091806f, 0.10918059737735238);         // -1/2 pi theta_6_0(z2) w(z2)
-  const T k_135 = detail::constant<T>(0.04454286f, 0.04454285984187241);        // 1/4 pi theta_1_1(z2) w(z2)
-  const T k_136 = detail::constant<T>(0.07813523f, 0.07813523060849328);        // 1/4 pi theta_2_1(z2) w(z2)
-  const T k_137 = detail::constant<T>(0.08654333f, 0.0865433279800103);         // 1/4 pi theta_3_1(z2) w(z2)
-  const T k_138 = detail::constant<T>(0.06258023f, 0.06258022966589746);        // 1/4 pi theta_4_1(z2) w(z2)
-  const T k_139 = detail::constant<T>(0.013941532f, 0.01394153213166191);       // 1/4 pi theta_5_1(z2) w(z2)
-  const T k_140 = detail::constant<T>(0.040174592f, 0.0401745925983007);        // -1/4 pi theta_6_1(z2) w(z2)
-  const T k_141 = detail::constant<T>(0.030883724f, 0.030883723675348085);      // 1/4 pi theta_2_2(z2) w(z2)
-  const T k_142 = detail::constant<T>(0.06410065f, 0.06410065643364922);        // 1/4 pi theta_3_2(z2) w(z2)
-  const T k_143 = detail::constant<T>(0.088473395f, 0.08847339518745072);       // 1/4 pi theta_4_2(z2) w(z2)
-  const T k_144 = detail::constant<T>(0.089954704f, 0.089954707012714);         // 1/4 pi theta_5_2(z2) w(z2)
-  const T k_145 = detail::constant<T>(0.063038014f, 0.06303801299925478);       // 1/4 pi theta_6_2(z2) w(z2)
-  const T k_146 = detail::constant<T>(0.21529771f, 0.21529771548404458);        // theta_6_6(z3)
-  const T k_147 = detail::constant<T>(0.25075027f, 0.2507502783417561);         // theta_5_5(z3)
-  const T k_148 = detail::constant<T>(0.5110253f, 0.5110252945190704);          // theta_6_5(z3)
-  const T k_149 = detail::constant<T>(0.28981987f, 0.28981985613607153);        // theta_4_4(z3)
-  const T k_150 = detail::constant<T>(0.5875155f, 0.5875154717210493);          // theta_6_4(z3)
-  const T k_151 = detail::constant<T>(0.5433176f, 0.5433176034635577);          // theta_5_4(z3)
-  const T k_152 = detail::constant<T>(0.331234f, 0.33123401636383426);          // theta_3_3(z3)
-  const T k_153 = detail::constant<T>(0.5150739f, 0.5150738969150781);          // theta_5_3(z3)
-  const T k_154 = detail::constant<T>(0.2677026f, 0.26770262417215684);         // theta_6_3(z3) / theta_4_3(z3)
-  const T k_155 = detail::constant<T>(0.5616755f, 0.5616755026550345);          // theta_4_3(z3)
-  const T k_156 = detail::constant<T>(0.37174454f, 0.3717445336968389);         // theta_2_2(z3)
-  const T k_157 = detail::constant<T>(0.39805874f, 0.39805873070765196);        // theta_4_2(z3)
-  const T k_158 = detail::constant<T>(0.43329895f, 0.4332989346153968);         // -theta_6_2(z3)
-  const T k_159 = detail::constant<T>(0.06886487f, 0.0688648637825454);         // -theta_5_2(z3) / theta_3_2(z3)
-  const T k_160 = detail::constant<T>(0.5559336f, 0.5559335812444329);          // theta_3_2(z3)
-  const T k_161 = detail::constant<T>(0.40306273f, 0.4030627280568947);         // theta_1_1(z3)
-  const T k_162 = detail::constant<T>(0.2252588f, 0.2252588046928113);          // theta_3_1(z3)
-  const T k_163 = detail::constant<T>(0.49669537f, 0.4966953655234746);         // -theta_5_1(z3)
-  const T k_164 = detail::constant<T>(0.46758503f, 0.46758504177743815);        // -theta_4_1(z3) / theta_2_1(z3)
-  const T k_165 = detail::constant<T>(0.64859885f, 0.6485988409472917);         // -theta_6_1(z3) / theta_2_1(z3)
-  const T k_166 = detail::constant<T>(0.50943285f, 0.5094328419030426);         // theta_2_1(z3)
-  const T k_167 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z3)
-  const T k_168 = detail::constant<T>(0.013097289f, 0.013097289293885536);      // -theta_2_0(z3)
-  const T k_169 = detail::constant<T>(0.318639f, 0.31863900915391147);          // -theta_4_0(z3)
-  const T k_170 = detail::constant<T>(0.24960025f, 0.24960025078816908);        // theta_6_0(z3)
-  const T k_171 = detail::constant<T>(0.93352246f, 0.9335224354203056);         // -theta_1_0(z3) / theta_3_0(z3)
-  const T k_172 = detail::constant<T>(0.20862512f, 0.20862511811666937);        // theta_5_0(z3) / theta_3_0(z3)
-  const T k_173 = detail::constant<T>(0.29584226f, 0.295842274494742);          // -theta_3_0(z3)
-  const T k_174 = detail::constant<T>(0.08388711f, 0.08388710576736227);        // 1/2 pi theta_6_6(z3) w(z3)
-  const T k_175 = detail::constant<T>(0.097700596f, 0.09770059600102574);       // 1/2 pi theta_5_5(z3) w(z3)
-  const T k_176 = detail::constant<T>(0.19911234f, 0.19911234466533687);        // 1/2 pi theta_6_5(z3) w(z3)
-  const T k_177 = detail::constant<T>(0.11292339f, 0.11292339480011851);        // 1/2 pi theta_4_4(z3) w(z3)
-  const T k_178 = detail::constant<T>(0.2116945f, 0.21169449552470954);         // 1/2 pi theta_5_4(z3) w(z3)
-  const T k_179 = detail::constant<T>(0.22891545f, 0.22891544578362163);        // 1/2 pi theta_6_4(z3) w(z3)
-  const T k_180 = detail::constant<T>(0.12905972f, 0.12905972040618505);        // 1/2 pi theta_3_3(z3) w(z3)
-  const T k_181 = detail::constant<T>(0.21884733f, 0.21884733979748638);        // 1/2 pi theta_4_3(z3) w(z3)
-  const T k_182 = detail::constant<T>(0.20068981f, 0.20068981396936703);        // 1/2 pi theta_5_3(z3) w(z3)
-  const T k_183 = detail::constant<T>(0.05858601f, 0.0585860071568828);         // 1/2 pi theta_6_3(z3) w(z3)
-  const T k_184 = detail::constant<T>(0.14484395f, 0.14484395687411064);        // 1/2 pi theta_2_2(z3) w(z3)
-  const T k_185 = detail::constant<T>(0.2166101f, 0.21661009743940518);         // 1/2 pi theta_3_2(z3) w(z3)
-  const T k_186 = detail::constant<T>(0.15509684f, 0.1550968377412691);         // 1/2 pi theta_4_2(z3) w(z3)
-  const T k_187 = detail::constant<T>(0.014916825f, 0.014916824854088524);      // -1/2 pi theta_5_2(z3) w(z3)
-  const T k_188 = detail::constant<T>(0.1688276f, 0.16882758590934005);         // -1/2 pi theta_6_2(z3) w(z3)
-  const T k_189 = detail::constant<T>(0.060099117f, 0.060099116811696024);      // 1/2 pi cos(6 pi/16) theta_1_1(z3) w(z3)
-  const T k_190 = detail::constant<T>(0.07595955f, 0.07595955106254215);        // 1/2 pi cos(6 pi/16) theta_2_1(z3) w(z3)
-  const T k_191 = detail::constant<T>(0.033587463f, 0.03358746486275292);       // 1/2 pi cos(6 pi/16) theta_3_1(z3) w(z3)
-  const T k_192 = detail::constant<T>(0.03551755f, 0.035517549856974216);       // -1/2 pi cos(6 pi/16) theta_4_1(z3) w(z3)
-  const T k_193 = detail::constant<T>(0.07406031f, 0.07406031546585899);        // -1/2 pi cos(6 pi/16) theta_5_1(z3) w(z3)
-  const T k_194 = detail::constant<T>(0.049267277f, 0.049267276778041456);      // -1/2 pi cos(6 pi/16) theta_6_1(z3) w(z3)
-  const T k_195 = detail::constant<T>(0.10991345f, 0.10991345440314748);        // 1/2 pi theta_0_0(z3) w(z3)
-  const T k_196 = detail::constant<T>(0.10760707f, 0.10760706395451677);        // 1/2 pi theta_1_0(z3) w(z3)
-  const T k_197 = detail::constant<T>(0.005103137f, 0.00510313678801362);       // -1/2 pi theta_2_0(z3) w(z3)
-  const T k_198 = detail::constant<T>(0.11526993f, 0.11526992803988496);        // -1/2 pi theta_3_0(z3) w(z3)
-  const T k_199 = detail::constant<T>(0.12415229f, 0.12415228931903177);        // -1/2 pi theta_4_0(z3) w(z3)
-  const T k_200 = detail::constant<T>(0.024048202f, 0.02404820235262098);       // -1/2 pi theta_5_0(z3) w(z3)
-  const T k_201 = detail::constant<T>(0.09725251f, 0.09725250725653424);        // 1/2 pi theta_6_0(z3) w(z3)
-  const T k_202 = detail::constant<T>(0.07852328f, 0.07852328024794125);        // 1/4 pi theta_1_1(z3) w(z3)
-  const T k_203 = detail::constant<T>(0.099245936f, 0.09924593624695359);       // 1/4 pi theta_2_1(z3) w(z3)
-  const T k_204 = detail::constant<T>(0.04388414f, 0.04388413767375958);        // 1/4 pi theta_3_1(z3) w(z3)
-  const T k_205 = detail::constant<T>(0.046405915f, 0.04640591524627276);       // -1/4 pi theta_4_1(z3) w(z3)
-  const T k_206 = detail::constant<T>(0.09676447f, 0.09676446535475249);        // -1/4 pi theta_5_1(z3) w(z3)
-  const T k_207 = detail::constant<T>(0.064370796f, 0.0643707992185029);        // -1/4 pi theta_6_1(z3) w(z3)
-  const T k_208 = detail::constant<T>(0.072421975f, 0.07242197843705532);       // 1/4 pi theta_2_2(z3) w(z3)
-  const T k_209 = detail::constant<T>(0.10830505f, 0.10830504871970259);        // 1/4 pi theta_3_2(z3) w(z3)
-  const T k_210 = detail::constant<T>(0.07754842f, 0.07754841887063454);        // 1/4 pi theta_4_2(z3) w(z3)
-  const T k_211 = detail::constant<T>(0.0074584126f, 0.007458412427044262);     // -1/4 pi theta_5_2(z3) w(z3)
-  const T k_212 = detail::constant<T>(0.0844138f, 0.08441379295467002);         // -1/4 pi theta_6_2(z3) w(z3)
-  const T k_213 = detail::constant<T>(0.5191288f, 0.5191287750743847);          // theta_6_6(z4)
-  const T k_214 = detail::constant<T>(0.522121f, 0.5221209958945917);           // theta_5_5(z4)
-  const T k_215 = detail::constant<T>(0.55677474f, 0.5567747527310394);         // theta_6_5(z4)
-  const T k_216 = detail::constant<T>(0.521137f, 0.5211370181476411);           // theta_4_4(z4)
-  const T k_217 = detail::constant<T>(0.015881144f, 0.01588114316990323);       // -theta_6_4(z4)
-  const T k_218 = detail::constant<T>(0.5111931f, 0.5111930799437336);          // theta_5_4(z4)
-  const T k_219 = detail::constant<T>(0.5143429f, 0.5143429258331865);          // theta_3_3(z4)
-  const T k_220 = detail::constant<T>(0.09072912f, 0.09072912077603644);        // -theta_5_3(z4)
-  const T k_221 = detail::constant<T>(0.942948f, 0.9429479711075295);           // -theta_4_3(z4) / theta_6_3(z4)
-  const T k_222 = detail::constant<T>(0.48397508f, 0.48397507431321735);        // -theta_6_3(z4)
-  const T k_223 = detail::constant<T>(0.49849004f, 0.4984900392736293);         // theta_2_2(z4)
-  const T k_224 = detail::constant<T>(0.16736767f, 0.16736767275003273);        // -theta_4_2(z4)
-  const T k_225 = detail::constant<T>(0.13534568f, 0.13534568481529086);        // -theta_6_2(z4)
-  const T k_226 = detail::constant<T>(0.81756765f, 0.8175676732364037);         // -theta_3_2(z4) / theta_5_2(z4)
-  const T k_227 = detail::constant<T>(0.47710997f, 0.4771099717579867);         // -theta_5_2(z4)
-  const T k_228 = detail::constant<T>(0.46674383f, 0.4667438312711535);         // theta_1_1(z4)
-  const T k_229 = detail::constant<T>(0.24564609f, 0.2456460819846465);         // -theta_3_1(z4)
-  const T k_230 = detail::constant<T>(0.027665181f, 0.02766518119570615);       // -theta_5_1(z4)
-  const T k_231 = detail::constant<T>(0.6839218f, 0.6839218015005109);          // -theta_2_1(z4) / theta_4_1(z4)
-  const T k_232 = detail::constant<T>(0.95858204f, 0.9585820702167291);         // -theta_6_1(z4) / theta_4_1(z4)
-  const T k_233 = detail::constant<T>(0.45132962f, 0.4513296244772347);         // -theta_4_1(z4)
-  const T k_234 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // theta_0_0(z4)
-  const T k_235 = detail::constant<T>(0.23262694f, 0.23262694458389097);        // -theta_2_0(z4)
-  const T k_236 = detail::constant<T>(0.06808531f, 0.06808531189561687);        // theta_4_0(z4)
-  const T k_237 = detail::constant<T>(0.122627296f, 0.12262729392758455);       // theta_6_0(z4)
-  const T k_238 = detail::constant<T>(0.44640335f, 0.44640335095465367);        // theta_1_0(z4) / theta_5_0(z4)
-  const T k_239 = detail::constant<T>(0.8737209f, 0.8737208557627298);          // -theta_3_0(z4) / theta_5_0(z4)
-  const T k_240 = detail::constant<T>(0.32371658f, 0.32371658423814637);        // theta_5_0(z4)
-  const T k_241 = detail::constant<T>(0.23393431f, 0.23393431229300266);        // 1/2 pi theta_6_6(z4) w(z4)
-  const T k_242 = detail::constant<T>(0.23528269f, 0.23528269279782757);        // 1/2 pi theta_5_5(z4) w(z4)
-  const T k_243 = detail::constant<T>(0.25089866f, 0.25089866933995186);        // 1/2 pi theta_6_5(z4) w(z4)
-  const T k_244 = detail::constant<T>(0.23483929f, 0.23483928420905972);        // 1/2 pi theta_4_4(z4) w(z4)
-  const T k_245 = detail::constant<T>(0.23035826f, 0.2303582605076055);         // 1/2 pi theta_5_4(z4) w(z4)
-  const T k_246 = detail::constant<T>(0.0071564987f, 0.007156498511078864);     // -1/2 pi theta_6_4(z4) w(z4)
-  const T k_247 = detail::constant<T>(0.23177767f, 0.23177767138860036);        // 1/2 pi theta_3_3(z4) w(z4)
-  const T k_248 = detail::constant<T>(0.20565039f, 0.20565039588172424);        // 1/2 pi theta_4_3(z4) w(z4)
-  const T k_249 = detail::constant<T>(0.040885143f, 0.04088514351886896);       // -1/2 pi theta_5_3(z4) w(z4)
-  const T k_250 = detail::constant<T>(0.21809305f, 0.21809304668228913);        // -1/2 pi theta_6_3(z4) w(z4)
-  const T k_251 = detail::constant<T>(0.2246339f, 0.22463390611641404);         // 1/2 pi theta_2_2(z4) w(z4)
-  const T k_252 = detail::constant<T>(0.17577659f, 0.17577658750212818);        // 1/2 pi theta_3_2(z4) w(z4)
-  const T k_253 = detail::constant<T>(0.07542067f, 0.07542067268232065);        // -1/2 pi theta_4_2(z4) w(z4)
-  const T k_254 = detail::constant<T>(0.21499944f, 0.21499943461108637);        // -1/2 pi theta_5_2(z4) w(z4)
-  const T k_255 = detail::constant<T>(0.060990646f, 0.0609906466744283);        // -1/2 pi theta_6_2(z4) w(z4)
-  const T k_256 = detail::constant<T>(0.0804891f, 0.08048910006951389);         // 1/2 pi cos(6 pi/16) theta_1_1(z4) w(z4)
-  const T k_257 = detail::constant<T>(0.053230282f, 0.05323028282496001);       // 1/2 pi cos(6 pi/16) theta_2_1(z4) w(z4)
-  const T k_258 = detail::constant<T>(0.042361207f, 0.04236120704734035);       // -1/2 pi cos(6 pi/16) theta_3_1(z4) w(z4)
-  const T k_259 = detail::constant<T>(0.07783095f, 0.07783094895962349);        // -1/2 pi cos(6 pi/16) theta_4_1(z4) w(z4)
-  const T k_260 = detail::constant<T>(0.004770809f, 0.004770808714574751);      // -1/2 pi cos(6 pi/16) theta_5_1(z4) w(z4)
-  const T k_261 = detail::constant<T>(0.07460735f, 0.07460735218064846);        // 1/2 pi cos(6 pi/16) theta_6_1(z4) w(z4)
-  const T k_262 = detail::constant<T>(0.12712f, 0.12712000236473922);           // 1/2 pi theta_0_0(z4) w(z4)
-  const T k_263 = detail::constant<T>(0.06511953f, 0.06511952431922095);        // 1/2 pi theta_1_0(z4) w(z4)
-  const T k_264 = detail::constant<T>(0.10482837f, 0.10482837190879536);        // -1/2 pi theta_2_0(z4) w(z4)
-  const T k_265 = detail::constant<T>(0.12745488f, 0.1274548822121885);         // -1/2 pi theta_3_0(z4) w(z4)
-  const T k_266 = detail::constant<T>(0.030681195f, 0.030681193916236898);      // 1/2 pi theta_4_0(z4) w(z4)
-  const T k_267 = detail::constant<T>(0.14587598f, 0.14587597557222617);        // 1/2 pi theta_5_0(z4) w(z4)
-  const T k_268 = detail::constant<T>(0.055259377f, 0.05525937503501118);       // 1/2 pi theta_6_0(z4) w(z4)
-  const T k_269 = detail::constant<T>(0.10516408f, 0.10516407722705542);        // 1/4 pi theta_1_1(z4) w(z4)
-  const T k_270 = detail::constant<T>(0.06954872f, 0.0695487161489878);         // 1/4 pi theta_2_1(z4) w(z4)
-  const T k_271 = detail::constant<T>(0.055347584f, 0.05534758427551506);       // -1/4 pi theta_3_1(z4) w(z4)
-  const T k_272 = detail::constant<T>(0.10169104f, 0.1016910354318276);         // -1/4 pi theta_4_1(z4) w(z4)
-  const T k_273 = detail::constant<T>(0.006233362f, 0.006233361978972841);      // -1/4 pi theta_5_1(z4) w(z4)
-  const T k_274 = detail::constant<T>(0.0974792f, 0.09747920326672405);         // 1/4 pi theta_6_1(z4) w(z4)
-  const T k_275 = detail::constant<T>(0.11231695f, 0.11231695305820702);        // 1/4 pi theta_2_2(z4) w(z4)
-  const T k_276 = detail::constant<T>(0.08788829f, 0.08788829375106409);        // 1/4 pi theta_3_2(z4) w(z4)
-  const T k_277 = detail::constant<T>(0.037710335f, 0.037710336341160326);      // -1/4 pi theta_4_2(z4) w(z4)
-  const T k_278 = detail::constant<T>(0.10749972f, 0.10749971730554318);        // -1/4 pi theta_5_2(z4) w(z4)
-  const T k_279 = detail::constant<T>(0.030495323f, 0.03049532333721415);       // -1/4 pi theta_6_2(z4) w(z4)
-  const T k_280 = detail::constant<T>(0.2820948f, 0.28209479177387814);         // 1/2 sqrt(1/pi)
-  const T k_281 = detail::constant<T>(0.63078314f, 0.63078313050504);           // 1/2 sqrt(5/pi)
-  const T k_282 = detail::constant<T>(0.8462844f, 0.8462843753216345);          // 3/2 sqrt(1/pi)
-  const T k_283 = detail::constant<T>(1.0171072f, 1.0171072362820548);          // 1/2 sqrt(13/pi)
-  const T k_284 = detail::constant<T>(0.52223295f, 0.5222329678670935);         // 1/11 sqrt(33)
-  const T k_285 = detail::constant<T>(0.797724f, 0.7977240352174656);           // 1/11 sqrt(77)
-  const T k_286 = detail::constant<T>(0.9356026f, 0.9356025796273888);          // 1/2 sqrt(11/pi)
-  const T k_287 = detail::constant<T>(0.032226432f, 0.03222643365282756);       // pi^(1/2) w(pole)
-  const T k_288 = detail::constant<T>(0.05581782f, 0.055817820433444826);       // sqrt(3) pi^(1/2) w(pole)
-  const T k_289 = detail::constant<T>(0.072060496f, 0.07206049632010929);       // sqrt(5) pi^(1/2) w(pole)
-  const T k_290 = detail::constant<T>(0.085263126f, 0.08526312908790457);       // sqrt(7) pi^(1/2) w(pole)
-  const T k_291 = detail::constant<T>(0.0966793f, 0.09667930095848269);         // 3 pi^(1/2) w(pole)
-  const T k_292 = detail::constant<T>(0.10688299f, 0.10688298875771142);        // sqrt(11) pi^(1/2) w(pole)
-  const T k_293 = detail::constant<T>(0.11619406f, 0.11619405896060805);        // sqrt(13) pi^(1/2) w(pole)
-  const T k_294 = detail::constant<T>(0.6831841f, 0.6831841051919143);          // 1/64 sqrt(6006/pi)
-  const T k_295 = detail::constant<T>(0.6563821f, 0.6563820568401701);          // 3/32 sqrt(154/pi)
-  const T k_296 = detail::constant<T>(0.6258357f, 0.6258357354491761);          // 3/16 sqrt(35/pi)
-  const T k_297 = detail::constant<T>(0.5045649f, 0.5045649007287242);          // 3/32 sqrt(91/pi)
-  const T k_298 = detail::constant<T>(0.5900436f, 0.5900435899266435);          // 1/8 sqrt(70/pi)
-  const T k_299 = detail::constant<T>(0.4892383f, 0.4892382994352504);          // 1/32 sqrt(770/pi)
-  const T k_300 = detail::constant<T>(0.54627424f, 0.5462742152960396);         // 1/4 sqrt(15/pi)
-  const T k_301 = detail::constant<T>(0.47308734f, 0.47308734787878);           // 3/8 sqrt(5/pi)
-  const T k_302 = detail::constant<T>(0.46060264f, 0.46060262975746175);        // 1/64 sqrt(2730/pi)
-  const T k_303 = detail::constant<T>(0.48860252f, 0.4886025119029199);         // 1/2 sqrt(3/pi)
-  const T k_304 = detail::constant<T>(0.4570458f, 0.4570457994644657);          // 1/8 sqrt(42/pi)
-  const T k_305 = detail::constant<T>(0.45294666f, 0.45294665119569694);        // 1/16 sqrt(165/pi)
-  const T k_306 = detail::constant<T>(0.31539157f, 0.31539156525252);           // 1/4 sqrt(5/pi)
-  const T k_307 = detail::constant<T>(0.31735665f, 0.31735664074561293);        // 9/16 sqrt(1/pi)
-  const T k_308 = detail::constant<T>(0.317846f, 0.3178460113381421);           // 5/32 sqrt(13/pi)
-  const T k_309 = detail::constant<T>(0.32217643f, 0.3221764359461932);         // 1/128 sqrt(6006) pi^(1/2) w(equator)
-  const T k_310 = detail::constant<T>(0.3095371f, 0.30953710732540096);         // 3/64 sqrt(154) pi^(1/2) w(equator)
-  const T k_311 = detail::constant<T>(0.29513204f, 0.2951320518180676);         // 3/32 sqrt(35) pi^(1/2) w(equator)
-  const T k_312 = detail::constant<T>(0.23794307f, 0.23794306715414645);        // 3/64 sqrt(91) pi^(1/2) w(equator)
-  const T k_313 = detail::constant<T>(0.27825317f, 0.27825316691474017);        // 1/16 sqrt(70) pi^(1/2) w(equator)
-  const T k_314 = detail::constant<T>(0.23071533f, 0.23071533784608156);        // 1/64 sqrt(770) pi^(1/2) w(equator)
-  const T k_315 = detail::constant<T>(0.25761238f, 0.2576123747550332);         // 1/8 sqrt(15) pi^(1/2) w(equator)
-  const T k_316 = detail::constant<T>(0.22309886f, 0.22309886086709574);        // 3/16 sqrt(5) pi^(1/2) w(equator)
-  const T k_317 = detail::constant<T>(0.2172113f, 0.21721130880382097);         // 1/128 sqrt(2730) pi^(1/2) w(equator)
-  const T k_318 = detail::constant<T>(0.0881762f, 0.08817619927745436);         // 1/4 sqrt(3) pi^(1/2) cos(6 pi/16) w(equator)
-  const T k_319 = detail::constant<T>(0.08248128f, 0.08248128184103455);        // 1/16 sqrt(42) pi^(1/2) cos(6 pi/16) w(equator)
-  const T k_320 = detail::constant<T>(0.08174153f, 0.08174152445991284);        // 1/32 sqrt(165) pi^(1/2) cos(6 pi/16) w(equator)
-  const T k_321 = detail::constant<T>(0.13303046f, 0.13303045829375834);        // 1/4 pi^(1/2) w(equator)
-  const T k_322 = detail::constant<T>(0.14873257f, 0.14873257391139716);        // 1/8 sqrt(5) pi^(1/2) w(equator)
-  const T k_323 = detail::constant<T>(0.14965926f, 0.14965926558047812);        // 9/32 pi^(1/2) w(equator)
-  const T k_324 = detail::constant<T>(0.14989005f, 0.14989004330519357);        // 5/64 sqrt(13) pi^(1/2) w(equator)
-  const T k_325 = detail::constant<T>(0.115207754f, 0.11520775635948098);       // 1/8 sqrt(3) pi^(1/2) w(equator)
-  const T k_326 = detail::constant<T>(0.107766986f, 0.10776698814902613);       // 1/32 sqrt(42) pi^(1/2) w(equator)
-  const T k_327 = detail::constant<T>(0.10680045f, 0.10680044855185858);        // 1/64 sqrt(165) pi^(1/2) w(equator)
+  constexpr const auto& table = detail::triple_l6_table<typename detail::scalar<T>::type>;
+  const T k    = detail::constant<T>(0.70710677f, 0.7071067811865476);    // 1/2 sqrt(2)
+  const T k_2  = detail::constant<T>(0.9238795f, 0.9238795325112867);     // cos(2 pi/16)
+  const T k_3  = detail::constant<T>(0.38268343f, 0.3826834323650898);    // cos(6 pi/16)
+  const T k_4  = detail::constant<T>(1.4142135f, 1.4142135623730951);     // sqrt(2)
+  const T k_5  = detail::constant<T>(0.5f, 0.5);                          // 1/2
+  const T k_6  = detail::constant<T>(0.76536685f, 0.7653668647301796);    // 2 cos(6 pi/16)
+  const T k_7  = detail::constant<T>(1.847759f, 1.8477590650225735);      // 2 cos(2 pi/16)
+  const T k_8  = detail::constant<T>(1.306563f, 1.3065629648763766);      // 1/2 / cos(6 pi/16)
+  const T k_9  = detail::constant<T>(2.4142137f, 2.414213562373095);      // cos(2 pi/16) / cos(6 pi/16)
+  const T k_10 = detail::constant<T>(1.847759f, 1.8477590650225735);      // 1/2 sqrt(2) / cos(6 pi/16)
+  const T k_11 = detail::constant<T>(2.0f, 2.0);                          // 2
+  const T k_12 = detail::constant<T>(0.2820948f, 0.28209479177387814);    // 1/2 sqrt(1/pi)
+  const T k_13 = detail::constant<T>(0.63078314f, 0.63078313050504);      // 1/2 sqrt(5/pi)
+  const T k_14 = detail::constant<T>(0.8462844f, 0.8462843753216345);     // 3/2 sqrt(1/pi)
+  const T k_15 = detail::constant<T>(1.0171072f, 1.0171072362820548);     // 1/2 sqrt(13/pi)
+  const T k_16 = detail::constant<T>(0.52223295f, 0.5222329678670935);    // 1/11 sqrt(33)
+  const T k_17 = detail::constant<T>(0.797724f, 0.7977240352174656);      // 1/11 sqrt(77)
+  const T k_18 = detail::constant<T>(0.9356026f, 0.9356025796273888);     // 1/2 sqrt(11/pi)
+  const T k_19 = detail::constant<T>(0.032226432f, 0.03222643365282756);  // pi^(1/2) w(pole)
+  const T k_20 = detail::constant<T>(0.05581782f, 0.055817820433444826);  // sqrt(3) pi^(1/2) w(pole)
+  const T k_21 = detail::constant<T>(0.072060496f, 0.07206049632010929);  // sqrt(5) pi^(1/2) w(pole)
+  const T k_22 = detail::constant<T>(0.085263126f, 0.08526312908790457);  // sqrt(7) pi^(1/2) w(pole)
+  const T k_23 = detail::constant<T>(0.0966793f, 0.09667930095848269);    // 3 pi^(1/2) w(pole)
+  const T k_24 = detail::constant<T>(0.10688299f, 0.10688298875771142);   // sqrt(11) pi^(1/2) w(pole)
+  const T k_25 = detail::constant<T>(0.11619406f, 0.11619405896060805);   // sqrt(13) pi^(1/2) w(pole)
+  const T k_26 = detail::constant<T>(0.6831841f, 0.6831841051919143);     // 1/64 sqrt(6006/pi)
+  const T k_27 = detail::constant<T>(0.6563821f, 0.6563820568401701);     // 3/32 sqrt(154/pi)
+  const T k_28 = detail::constant<T>(0.6258357f, 0.6258357354491761);     // 3/16 sqrt(35/pi)
+  const T k_29 = detail::constant<T>(0.5045649f, 0.5045649007287242);     // 3/32 sqrt(91/pi)
+  const T k_30 = detail::constant<T>(0.5900436f, 0.5900435899266435);     // 1/8 sqrt(70/pi)
+  const T k_31 = detail::constant<T>(0.4892383f, 0.4892382994352504);     // 1/32 sqrt(770/pi)
+  const T k_32 = detail::constant<T>(0.54627424f, 0.5462742152960396);    // 1/4 sqrt(15/pi)
+  const T k_33 = detail::constant<T>(0.47308734f, 0.47308734787878);      // 3/8 sqrt(5/pi)
+  const T k_34 = detail::constant<T>(0.46060264f, 0.46060262975746175);   // 1/64 sqrt(2730/pi)
+  const T k_35 = detail::constant<T>(0.48860252f, 0.4886025119029199);    // 1/2 sqrt(3/pi)
+  const T k_36 = detail::constant<T>(0.4570458f, 0.4570457994644657);     // 1/8 sqrt(42/pi)
+  const T k_37 = detail::constant<T>(0.45294666f, 0.45294665119569694);   // 1/16 sqrt(165/pi)
+  const T k_38 = detail::constant<T>(0.31539157f, 0.31539156525252);      // 1/4 sqrt(5/pi)
+  const T k_39 = detail::constant<T>(0.31735665f, 0.31735664074561293);   // 9/16 sqrt(1/pi)
+  const T k_40 = detail::constant<T>(0.317846f, 0.3178460113381421);      // 5/32 sqrt(13/pi)
+  const T k_41 = detail::constant<T>(0.32217643f, 0.3221764359461932);    // 1/128 sqrt(6006) pi^(1/2) w(equator)
+  const T k_42 = detail::constant<T>(0.3095371f, 0.30953710732540096);    // 3/64 sqrt(154) pi^(1/2) w(equator)
+  const T k_43 = detail::constant<T>(0.29513204f, 0.2951320518180676);    // 3/32 sqrt(35) pi^(1/2) w(equator)
+  const T k_44 = detail::constant<T>(0.23794307f, 0.23794306715414645);   // 3/64 sqrt(91) pi^(1/2) w(equator)
+  const T k_45 = detail::constant<T>(0.27825317f, 0.27825316691474017);   // 1/16 sqrt(70) pi^(1/2) w(equator)
+  const T k_46 = detail::constant<T>(0.23071533f, 0.23071533784608156);   // 1/64 sqrt(770) pi^(1/2) w(equator)
+  const T k_47 = detail::constant<T>(0.25761238f, 0.2576123747550332);    // 1/8 sqrt(15) pi^(1/2) w(equator)
+  const T k_48 = detail::constant<T>(0.22309886f, 0.22309886086709574);   // 3/16 sqrt(5) pi^(1/2) w(equator)
+  const T k_49 = detail::constant<T>(0.2172113f, 0.21721130880382097);    // 1/128 sqrt(2730) pi^(1/2) w(equator)
+  const T k_50 = detail::constant<T>(0.0881762f, 0.08817619927745436);    // 1/4 sqrt(3) pi^(1/2) cos(6 pi/16) w(equator)
+  const T k_51 = detail::constant<T>(0.08248128f, 0.08248128184103455);   // 1/16 sqrt(42) pi^(1/2) cos(6 pi/16) w(equator)
+  const T k_52 = detail::constant<T>(0.08174153f, 0.08174152445991284);   // 1/32 sqrt(165) pi^(1/2) cos(6 pi/16) w(equator)
+  const T k_53 = detail::constant<T>(0.13303046f, 0.13303045829375834);   // 1/4 pi^(1/2) w(equator)
+  const T k_54 = detail::constant<T>(0.14873257f, 0.14873257391139716);   // 1/8 sqrt(5) pi^(1/2) w(equator)
+  const T k_55 = detail::constant<T>(0.14965926f, 0.14965926558047812);   // 9/32 pi^(1/2) w(equator)
+  const T k_56 = detail::constant<T>(0.14989005f, 0.14989004330519357);   // 5/64 sqrt(13) pi^(1/2) w(equator)
+  const T k_57 = detail::constant<T>(0.115207754f, 0.11520775635948098);  // 1/8 sqrt(3) pi^(1/2) w(equator)
+  const T k_58 = detail::constant<T>(0.107766986f, 0.10776698814902613);  // 1/32 sqrt(42) pi^(1/2) w(equator)
+  const T k_59 = detail::constant<T>(0.10680045f, 0.10680044855185858);   // 1/64 sqrt(165) pi^(1/2) w(equator)
 
-  const T a1s6n = k * a[36];
-  const T t = k_2 * a[25];
-  const T t_2 = k_3 * a[37];
-  const T a1s5n = t + t_2;
-  const T a1s5s = t - t_2;
-  const T t_3 = k_4 * a[16] + k_5 * a[38];
-  const T t_4 = k_6 * a[26];
-  const T a1s4n = t_3 + t_4;
-  const T a1s4s = t_3 - t_4;
-  const T t_5 = k_7 * a[9] + k_8 * a[27];
-  const T t_6 = k_10 * (k_9 * a[17] + a[39]);
-  const T a1s3n = t_5 + t_6;
-  const T a1s3s = t_5 - t_6;
-  const T t_7 = k_11 * a[4] + k_12 * a[18] + k_13 * a[40];
-  const T t_8 = k_15 * (k_14 * a[10] + a[28]);
-  const T a1s2n = t_7 + t_8;
-  const T a1s2s = t_7 - t_8;
-  const T t_9 = k_16 * a[1] + k_17 * a[11] + k_18 * a[29];
-  const T t_10 = k_21 * (k_19 * a[5] + k_20 * a[19] + a[41]);
-  const T a1s1n = t_9 + t_10;
-  const T a1s1s = t_9 - t_10;
-  const T t_11 = k_22 * a[0] + k_23 * a[6] + k_24 * a[20] + k_25 * a[42];
-  const T t_12 = k_28 * (k_26 * a[2] + a[12] + k_27 * a[30]);
-  const T a1c0n = t_11 + t_12;
-  const T a1c0s = t_11 - t_12;
-  const T t_13 = k_16 * a[3] + k_17 * a[13] + k_18 * a[31];
-  const T t_14 = k_21 * (k_19 * a[7] + k_20 * a[21] + a[43]);
-  const T a1c1n = t_13 + t_14;
-  const T a1c1s = t_13 - t_14;
-  const T t_15 = k_11 * a[8] + k_12 * a[22] + k_13 * a[44];
-  const T t_16 = k_15 * (k_14 * a[14] + a[32]);
-  const T a1c2n = t_15 + t_16;
-  const T a1c2s = t_15 - t_16;
-  const T t_17 = k_7 * a[15] + k_8 * a[33];
-  const T t_18 = k_10 * (k_9 * a[23] + a[45]);
-  const T a1c3n = t_17 + t_18;
-  const T a1c3s = t_17 - t_18;
-  const T t_19 = k_4 * a[24] + k_5 * a[46];
-  const T t_20 = k_6 * a[34];
-  const T a1c4n = t_19 + t_20;
-  const T a1c4s = t_19 - t_20;
-  const T t_21 = k_2 * a[35];
-  const T t_22 = k_3 * a[47];
-  const T a1c5n = t_21 + t_22;
-  const T a1c5s = t_21 - t_22;
-  const T a1c6n = k * a[48];
-  const T b1s6n = k * b[36];
-  const T t_23 = k_2 * b[25];
-  const T t_24 = k_3 * b[37];
-  const T b1s5n = t_23 + t_24;
-  const T b1s5s = t_23 - t_24;
-  const T t_25 = k_4 * b[16] + k_5 * b[38];
-  const T t_26 = k_6 * b[26];
-  const T b1s4n = t_25 + t_26;
-  const T b1s4s = t_25 - t_26;
-  const T t_27 = k_7 * b[9] + k_8 * b[27];
-  const T t_28 = k_10 * (k_9 * b[17] + b[39]);
-  const T b1s3n = t_27 + t_28;
-  const T b1s3s = t_27 - t_28;
-  const T t_29 = k_11 * b[4] + k_12 * b[18] + k_13 * b[40];
-  const T t_30 = k_15 * (k_14 * b[10] + b[28]);
-  const T b1s2n = t_29 + t_30;
-  const T b1s2s = t_29 - t_30;
-  const T t_31 = k_16 * b[1] + k_17 * b[11] + k_18 * b[29];
-  const T t_32 = k_21 * (k_19 * b[5] + k_20 * b[19] + b[41]);
-  const T b1s1n = t_31 + t_32;
-  const T b1s1s = t_31 - t_32;
-  const T t_33 = k_22 * b[0] + k_23 * b[6] + k_24 * b[20] + k_25 * b[42];
-  const T t_34 = k_28 * (k_26 * b[2] + b[12] + k_27 * b[30]);
-  const T b1c0n = t_33 + t_34;
-  const T b1c0s = t_33 - t_34;
-  const T t_35 = k_16 * b[3] + k_17 * b[13] + k_18 * b[31];
-  const T t_36 = k_21 * (k_19 * b[7] + k_20 * b[21] + b[43]);
-  const T b1c1n = t_35 + t_36;
-  const T b1c1s = t_35 - t_36;
-  const T t_37 = k_11 * b[8] + k_12 * b[22] + k_13 * b[44];
-  const T t_38 = k_15 * (k_14 * b[14] + b[32]);
-  const T b1c2n = t_37 + t_38;
-  const T b1c2s = t_37 - t_38;
-  const T t_39 = k_7 * b[15] + k_8 * b[33];
-  const T t_40 = k_10 * (k_9 * b[23] + b[45]);
-  const T b1c3n = t_39 + t_40;
-  const T b1c3s = t_39 - t_40;
-  const T t_41 = k_4 * b[24] + k_5 * b[46];
-  const T t_42 = k_6 * b[34];
-  const T b1c4n = t_41 + t_42;
-  const T b1c4s = t_41 - t_42;
-  const T t_43 = k_2 * b[35];
-  const T t_44 = k_3 * b[47];
-  const T b1c5n = t_43 + t_44;
-  const T b1c5s = t_43 - t_44;
-  const T b1c6n = k * b[48];
-  const T t_45 = a1c0n + a1c4n;
-  const T t_46 = a1c0s + a1c4s;
-  const T t_47 = a1c2n + a1c6n;
-  const T t_48 = k_29 * (a1c2n - a1c6n);
-  const T t_49 = a1c2s + a1c6n;
-  const T t_50 = k_29 * (a1c2s - a1c6n);
-  const T t_51 = t_45 + t_47;
-  const T t_52 = t_45 - t_47;
-  const T t_53 = a1c0n + t_48;
-  const T t_54 = a1c0n - t_48;
-  const T t_55 = a1c0n - a1c4n;
-  const T t_56 = t_46 + t_49;
-  const T t_57 = t_46 - t_49;
-  const T t_58 = a1c0s + t_50;
-  const T t_59 = a1c0s - t_50;
-  const T t_60 = a1c0s - a1c4s;
-  const T t_61 = k_29 * (a1s6n + a1s2n);
-  const T t_62 = a1s2n - a1s6n;
-  const T t_63 = k_29 * (a1s6n + a1s2s);
-  const T t_64 = a1s2s - a1s6n;
-  const T t_65 = a1s4n + t_61;
-  const T t_66 = t_61 - a1s4n;
-  const T t_67 = a1s4s + t_63;
-  const T t_68 = t_63 - a1s4s;
-  const T t_69 = a1c3n - a1c5n;
-  const T t_70 = a1c3n + a1c5n;
-  const T t_71 = a1c3s - a1c5s;
-  const T t_72 = a1c3s + a1c5s;
-  const T t_73 = a1c1n + t_70;
-  const T t_74 = k_30 * a1c1n + k_31 * t_69;
-  const T t_75 = k_29 * a1c1n - k_29 * t_70;
-  const T t_76 = k_31 * a1c1n - k_30 * t_69;
-  const T t_77 = a1c1s + t_72;
-  const T t_78 = k_30 * a1c1s + k_31 * t_71;
-  const T t_79 = k_29 * a1c1s - k_29 * t_72;
-  const T t_80 = k_31 * a1c1s - k_30 * t_71;
-  const T t_81 = a1s5n + a1s3n;
-  const T t_82 = a1s5n - a1s3n;
-  const T t_83 = a1s5s + a1s3s;
-  const T t_84 = a1s5s - a1s3s;
-  const T t_85 = k_31 * a1s1n + k_30 * t_81;
-  const T t_86 = k_29 * a1s1n - k_29 * t_82;
-  const T t_87 = a1s1n + t_82;
-  const T t_88 = k_30 * a1s1n - k_31 * t_81;
-  const T t_89 = k_31 * a1s1s + k_30 * t_83;
-  const T t_90 = k_29 * a1s1s - k_29 * t_84;
-  const T t_91 = a1s1s + t_84;
-  const T t_92 = k_30 * a1s1s - k_31 * t_83;
-  const T t_93 = b1c0n + b1c4n;
-  const T t_94 = b1c0s + b1c4s;
-  const T t_95 = b1c2n + b1c6n;
-  const T t_96 = k_29 * (b1c2n - b1c6n);
-  const T t_97 = b1c2s + b1c6n;
-  const T t_98 = k_29 * (b1c2s - b1c6n);
-  const T t_99 = t_93 + t_95;
-  const T t_100 = t_93 - t_95;
-  const T t_101 = b1c0n + t_96;
-  const T t_102 = b1c0n - t_96;
-  const T t_103 = b1c0n - b1c4n;
-  const T t_104 = t_94 + t_97;
-  const T t_105 = t_94 - t_97;
-  const T t_106 = b1c0s + t_98;
-  const T t_107 = b1c0s - t_98;
-  const T t_108 = b1c0s - b1c4s;
-  const T t_109 = k_29 * (b1s6n + b1s2n);
-  const T t_110 = b1s2n - b1s6n;
-  const T t_111 = k_29 * (b1s6n + b1s2s);
-  const T t_112 = b1s2s - b1s6n;
-  const T t_113 = b1s4n + t_109;
-  const T t_114 = t_109 - b1s4n;
-  const T t_115 = b1s4s + t_111;
-  const T t_116 = t_111 - b1s4s;
-  const T t_117 = b1c3n - b1c5n;
-  const T t_118 = b1c3n + b1c5n;
-  const T t_119 = b1c3s - b1c5s;
-  const T t_120 = b1c3s + b1c5s;
-  const T t_121 = b1c1n + t_118;
-  const T t_122 = k_30 * b1c1n + k_31 * t_117;
-  const T t_123 = k_29 * b1c1n - k_29 * t_118;
-  const T t_124 = k_31 * b1c1n - k_30 * t_117;
-  const T t_125 = b1c1s + t_120;
-  const T t_126 = k_30 * b1c1s + k_31 * t_119;
-  const T t_127 = k_29 * b1c1s - k_29 * t_120;
-  const T t_128 = k_31 * b1c1s - k_30 * t_119;
-  const T t_129 = b1s5n + b1s3n;
-  const T t_130 = b1s5n - b1s3n;
-  const T t_131 = b1s5s + b1s3s;
-  const T t_132 = b1s5s - b1s3s;
-  const T t_133 = k_31 * b1s1n + k_30 * t_129;
-  const T t_134 = k_29 * b1s1n - k_29 * t_130;
-  const T t_135 = b1s1n + t_130;
-  const T t_136 = k_30 * b1s1n - k_31 * t_129;
-  const T t_137 = k_31 * b1s1s + k_30 * t_131;
-  const T t_138 = k_29 * b1s1s - k_29 * t_132;
-  const T t_139 = b1s1s + t_132;
-  const T t_140 = k_30 * b1s1s - k_31 * t_131;
-  const T t_141 = t_51 * t_99 + t_73 * t_121;
-  const T t_142 = t_51 * t_121 + t_73 * t_99;
-  const T t_143 = t_53 * t_101 + t_65 * t_113 + t_74 * t_122 + t_85 * t_133;
-  const T t_144 = t_53 * t_113 + t_65 * t_101 + t_74 * t_133 + t_85 * t_122;
-  const T t_145 = t_53 * t_122 + t_65 * t_133 + t_74 * t_101 + t_85 * t_113;
-  const T t_146 = t_53 * t_133 + t_65 * t_122 + t_74 * t_113 + t_85 * t_101;
-  const T t_147 = t_55 * t_103 + t_62 * t_110 + t_75 * t_123 + t_86 * t_134;
-  const T t_148 = t_55 * t_110 + t_62 * t_103 + t_75 * t_134 + t_86 * t_123;
-  const T t_149 = t_55 * t_123 + t_62 * t_134 + t_75 * t_103 + t_86 * t_110;
-  const T t_150 = t_55 * t_134 + t_62 * t_123 + t_75 * t_110 + t_86 * t_103;
-  const T t_151 = t_54 * t_102 + t_66 * t_114 + t_76 * t_124 + t_88 * t_136;
-  const T t_152 = t_54 * t_114 + t_66 * t_102 + t_76 * t_136 + t_88 * t_124;
-  const T t_153 = t_54 * t_124 + t_66 * t_136 + t_76 * t_102 + t_88 * t_114;
-  const T t_154 = t_54 * t_136 + t_66 * t_124 + t_76 * t_114 + t_88 * t_102;
-  const T t_155 = t_52 * t_100 + t_87 * t_135;
-  const T t_156 = t_52 * t_135 + t_87 * t_100;
-  const T t_157 = t_56 * t_104 + t_77 * t_125;
-  const T t_158 = t_56 * t_125 + t_77 * t_104;
-  const T t_159 = t_58 * t_106 + t_67 * t_115 + t_78 * t_126 + t_89 * t_137;
-  const T t_160 = t_58 * t_115 + t_67 * t_106 + t_78 * t_137 + t_89 * t_126;
-  const T t_161 = t_58 * t_126 + t_67 * t_137 + t_78 * t_106 + t_89 * t_115;
-  const T t_162 = t_58 * t_137 + t_67 * t_126 + t_78 * t_115 + t_89 * t_106;
-  const T t_163 = t_60 * t_108 + t_64 * t_112 + t_79 * t_127 + t_90 * t_138;
-  const T t_164 = t_60 * t_112 + t_64 * t_108 + t_79 * t_138 + t_90 * t_127;
-  const T t_165 = t_60 * t_127 + t_64 * t_138 + t_79 * t_108 + t_90 * t_112;
-  const T t_166 = t_60 * t_138 + t_64 * t_127 + t_79 * t_112 + t_90 * t_108;
-  const T t_167 = t_59 * t_107 + t_68 * t_116 + t_80 * t_128 + t_92 * t_140;
-  const T t_168 = t_59 * t_116 + t_68 * t_107 + t_80 * t_140 + t_92 * t_128;
-  const T t_169 = t_59 * t_128 + t_68 * t_140 + t_80 * t_107 + t_92 * t_116;
-  const T t_170 = t_59 * t_140 + t_68 * t_128 + t_80 * t_116 + t_92 * t_107;
-  const T t_171 = t_57 * t_105 + t_91 * t_139;
-  const T t_172 = t_57 * t_139 + t_91 * t_105;
-  const T t_173 = k_32 * (t_159 - t_167);
-  const T t_174 = t_157 - t_171;
-  const T t_175 = k_33 * (t_171 + t_157);
-  const T t_176 = t_167 + t_163 + t_159 + t_175;
-  const T t_177 = t_175 - t_163;
-  const T t_178 = k_32 * (t_143 - t_151);
-  const T t_179 = t_141 - t_155;
-  const T t_180 = k_33 * (t_155 + t_141);
-  const T t_181 = t_151 + t_147 + t_143 + t_180;
-  const T t_182 = t_180 - t_147;
-  const T t_183 = t_174 + t_173;
-  const T t_184 = t_178 + t_179;
-  const T t_185 = t_160 - t_168;
-  const T t_186 = k_29 * (t_168 + t_160);
-  const T t_187 = t_144 - t_152;
-  const T t_188 = k_29 * (t_152 + t_144);
-  const T t_189 = t_164 + t_186;
-  const T t_190 = t_148 + t_188;
-  const T t_191 = k_31 * t_161 - k_30 * t_169;
-  const T t_192 = k_34 * t_169 + k_32 * t_165 + k_35 * t_161 + t_158;
-  const T t_193 = k_33 * t_158 - k_29 * t_165;
-  const T t_194 = k_31 * t_145 - k_30 * t_153;
-  const T t_195 = k_34 * t_153 + k_32 * t_149 + k_35 * t_145 + t_142;
-  const T t_196 = k_33 * t_142 - k_29 * t_149;
-  const T t_197 = t_194 + t_196;
-  const T t_198 = t_191 + t_193;
-  const T t_199 = k_33 * t_172 - k_29 * t_166;
-  const T t_200 = k_36 * t_172 + k_37 * t_170 + k_38 * t_166 + t_162;
-  const T t_201 = k_30 * t_162 - k_31 * t_170;
-  const T t_202 = k_33 * t_156 - k_29 * t_150;
-  const T t_203 = k_36 * t_156 + k_37 * t_154 + k_38 * t_150 + t_146;
-  const T t_204 = k_30 * t_146 - k_31 * t_154;
-  const T t_205 = t_204 - t_202;
-  const T t_206 = t_201 - t_199;
-  const T t_207 = t_196 - t_194 - (a1c5n * b1c6n - a1s5n * b1s6n + (a1c6n * b1c5n - a1s6n * b1s5n));
-  const T t_208 = t_202 + t_204 + (a1s5n * b1c6n + a1c5n * b1s6n + (a1s6n * b1c5n + a1c6n * b1s5n));
-  const T t_209 = t_193 - t_191 - (a1c5s * b1c6n - a1s5s * b1s6n + (a1c6n * b1c5s - a1s6n * b1s5s));
-  const T t_210 = t_199 + t_201 + (a1s5s * b1c6n + a1c5s * b1s6n + (a1s6n * b1c5s + a1c6n * b1s5s));
-  const T t_211 = t_187 + t_185 + k_39 * (a1s6n * b1c6n + a1c6n * b1s6n);
-  const T t_212 = t_205 + t_206;
-  const T t_213 = t_205 - t_206;
-  const T t_214 = t_190 + t_189;
-  const T t_215 = t_190 - t_189;
-  const T t_216 = t_203 + t_200;
-  const T t_217 = t_203 - t_200;
-  const T t_218 = t_181 + t_176;
-  const T t_219 = t_181 - t_176;
-  const T t_220 = t_195 + t_192;
-  const T t_221 = t_195 - t_192;
-  const T t_222 = t_184 + t_183;
-  const T t_223 = t_184 - t_183;
-  const T t_224 = t_197 + t_198;
-  const T t_225 = t_197 - t_198;
-  const T t_226 = t_182 + t_177 - k_39 * (a1c6n * b1c6n - a1s6n * b1s6n);
-  const T a2s6n = k_79 * a[36];
-  const T t_227 = k_80 * a[25];
-  const T t_228 = k_81 * a[37];
-  const T a2s5n = t_227 + t_228;
-  const T a2s5s = t_227 - t_228;
-  const T t_229 = k_82 * a[16] + k_83 * a[38];
-  const T t_230 = k_84 * a[26];
-  const T a2s4n = t_229 + t_230;
-  const T a2s4s = t_229 - t_230;
-  const T t_231 = k_85 * a[9] + k_86 * a[27];
-  const T t_232 = k_88 * (k_87 * a[17] + a[39]);
-  const T a2s3n = t_231 + t_232;
-  const T a2s3s = t_231 - t_232;
-  const T t_233 = k_89 * a[4] + k_90 * a[18] + k_91 * a[40];
-  const T t_234 = k_93 * (k_92 * a[10] + a[28]);
-  const T a2s2n = t_233 + t_234;
-  const T a2s2s = t_233 - t_234;
-  const T t_235 = k_94 * a[1] + k_95 * a[11] + k_96 * a[29];
-  const T t_236 = k_99 * (a[5] + k_97 * a[19] - k_98 * a[41]);
-  const T a2s1n = t_235 + t_236;
-  const T a2s1s = t_235 - t_236;
-  const T t_237 = k_100 * a[0] + k_101 * a[6] - k_102 * a[20] - k_103 * a[42];
-  const T t_238 = k_106 * (a[30] - k_104 * a[2] - k_105 * a[12]);
-  const T a2c0n = t_237 - t_238;
-  const T a2c0s = t_237 + t_238;
-  const T t_239 = k_94 * a[3] + k_95 * a[13] + k_96 * a[31];
-  const T t_240 = k_99 * (a[7] + k_97 * a[21] - k_98 * a[43]);
-  const T a2c1n = t_239 + t_240;
-  const T a2c1s = t_239 - t_240;
-  const T t_241 = k_89 * a[8] + k_90 * a[22] + k_91 * a[44];
-  const T t_242 = k_93 * (k_92 * a[14] + a[32]);
-  const T a2c2n = t_241 + t_242;
-  const T a2c2s = t_241 - t_242;
-  const T t_243 = k_85 * a[15] + k_86 * a[33];
-  const T t_244 = k_88 * (k_87 * a[23] + a[45]);
-  const T a2c3n = t_243 + t_244;
-  const T a2c3s = t_243 - t_244;
-  const T t_245 = k_82 * a[24] + k_83 * a[46];
-  const T t_246 = k_84 * a[34];
-  const T a2c4n = t_245 + t_246;
-  const T a2c4s = t_245 - t_246;
-  const T t_247 = k_80 * a[35];
-  const T t_248 = k_81 * a[47];
-  const T a2c5n = t_247 + t_248;
-  const T a2c5s = t_247 - t_248;
-  const T a2c6n = k_79 * a[48];
-  const T b2s6n = k_79 * b[36];
-  const T t_249 = k_80 * b[25];
-  const T t_250 = k_81 * b[37];
-  const T b2s5n = t_249 + t_250;
-  const T b2s5s = t_249 - t_250;
-  const T t_251 = k_82 * b[16] + k_83 * b[38];
-  const T t_252 = k_84 * b[26];
-  const T b2s4n = t_251 + t_252;
-  const T b2s4s = t_251 - t_252;
-  const T t_253 = k_85 * b[9] + k_86 * b[27];
-  const T t_254 = k_88 * (k_87 * b[17] + b[39]);
-  const T b2s3n = t_253 + t_254;
-  const T b2s3s = t_253 - t_254;
-  const T t_255 = k_89 * b[4] + k_90 * b[18] + k_91 * b[40];
-  const T t_256 = k_93 * (k_92 * b[10] + b[28]);
-  const T b2s2n = t_255 + t_256;
-  const T b2s2s = t_255 - t_256;
-  const T t_257 = k_94 * b[1] + k_95 * b[11] + k_96 * b[29];
-  const T t_258 = k_99 * (b[5] + k_97 * b[19] - k_98 * b[41]);
-  const T b2s1n = t_257 + t_258;
-  const T b2s1s = t_257 - t_258;
-  const T t_259 = k_100 * b[0] + k_101 * b[6] - k_102 * b[20] - k_103 * b[42];
-  const T t_260 = k_106 * (b[30] - k_104 * b[2] - k_105 * b[12]);
-  const T b2c0n = t_259 - t_260;
-  const T b2c0s = t_259 + t_260;
-  const T t_261 = k_94 * b[3] + k_95 * b[13] + k_96 * b[31];
-  const T t_262 = k_99 * (b[7] + k_97 * b[21] - k_98 * b[43]);
-  const T b2c1n = t_261 + t_262;
-  const T b2c1s = t_261 - t_262;
-  const T t_263 = k_89 * b[8] + k_90 * b[22] + k_91 * b[44];
-  const T t_264 = k_93 * (k_92 * b[14] + b[32]);
-  const T b2c2n = t_263 + t_264;
-  const T b2c2s = t_263 - t_264;
-  const T t_265 = k_85 * b[15] + k_86 * b[33];
-  const T t_266 = k_88 * (k_87 * b[23] + b[45]);
-  const T b2c3n = t_265 + t_266;
-  const T b2c3s = t_265 - t_266;
-  const T t_267 = k_82 * b[24] + k_83 * b[46];
-  const T t_268 = k_84 * b[34];
-  const T b2c4n = t_267 + t_268;
-  const T b2c4s = t_267 - t_268;
-  const T t_269 = k_80 * b[35];
-  const T t_270 = k_81 * b[47];
-  const T b2c5n = t_269 + t_270;
-  const T b2c5s = t_269 - t_270;
-  const T b2c6n = k_79 * b[48];
-  const T t_271 = a2c0n + a2c4n;
-  const T t_272 = a2c0s + a2c4s;
-  const T t_273 = a2c2n + a2c6n;
-  const T t_274 = k_29 * (a2c2n - a2c6n);
-  const T t_275 = a2c2s + a2c6n;
-  const T t_276 = k_29 * (a2c2s - a2c6n);
-  const T t_277 = t_271 + t_273;
-  const T t_278 = t_271 - t_273;
-  const T t_279 = a2c0n + t_274;
-  const T t_280 = a2c0n - t_274;
-  const T t_281 = a2c0n - a2c4n;
-  const T t_282 = t_272 + t_275;
-  const T t_283 = t_272 - t_275;
-  const T t_284 = a2c0s + t_276;
-  const T t_285 = a2c0s - t_276;
-  const T t_286 = a2c0s - a2c4s;
-  const T t_287 = k_29 * (a2s6n + a2s2n);
-  const T t_288 = a2s2n - a2s6n;
-  const T t_289 = k_29 * (a2s6n + a2s2s);
-  const T t_290 = a2s2s - a2s6n;
-  const T t_291 = a2s4n + t_287;
-  const T t_292 = t_287 - a2s4n;
-  const T t_293 = a2s4s + t_289;
-  const T t_294 = t_289 - a2s4s;
-  const T t_295 = a2c3n - a2c5n;
-  const T t_296 = a2c3n + a2c5n;
-  const T t_297 = a2c3s - a2c5s;
-  const T t_298 = a2c3s + a2c5s;
-  const T t_299 = a2c1n + t_296;
-  const T t_300 = k_30 * a2c1n + k_31 * t_295;
-  const T t_301 = k_29 * a2c1n - k_29 * t_296;
-  const T t_302 = k_31 * a2c1n - k_30 * t_295;
-  const T t_303 = a2c1s + t_298;
-  const T t_304 = k_30 * a2c1s + k_31 * t_297;
-  const T t_305 = k_29 * a2c1s - k_29 * t_298;
-  const T t_306 = k_31 * a2c1s - k_30 * t_297;
-  const T t_307 = a2s5n + a2s3n;
-  const T t_308 = a2s5n - a2s3n;
-  const T t_309 = a2s5s + a2s3s;
-  const T t_310 = a2s5s - a2s3s;
-  const T t_311 = k_31 * a2s1n + k_30 * t_307;
-  const T t_312 = k_29 * a2s1n - k_29 * t_308;
-  const T t_313 = a2s1n + t_308;
-  const T t_314 = k_30 * a2s1n - k_31 * t_307;
-  const T t_315 = k_31 * a2s1s + k_30 * t_309;
-  const T t_316 = k_29 * a2s1s - k_29 * t_310;
-  const T t_317 = a2s1s + t_310;
-  const T t_318 = k_30 * a2s1s - k_31 * t_309;
-  const T t_319 = b2c0n + b2c4n;
-  const T t_320 = b2c0s + b2c4s;
-  const T t_321 = b2c2n + b2c6n;
-  const T t_322 = k_29 * (b2c2n - b2c6n);
-  const T t_323 = b2c2s + b2c6n;
-  const T t_324 = k_29 * (b2c2s - b2c6n);
-  const T t_325 = t_319 + t_321;
-  const T t_326 = t_319 - t_321;
-  const T t_327 = b2c0n + t_322;
-  const T t_328 = b2c0n - t_322;
-  const T t_329 = b2c0n - b2c4n;
-  const T t_330 = t_320 + t_323;
-  const T t_331 = t_320 - t_323;
-  const T t_332 = b2c0s + t_324;
-  const T t_333 = b2c0s - t_324;
-  const T t_334 = b2c0s - b2c4s;
-  const T t_335 = k_29 * (b2s6n + b2s2n);
-  const T t_336 = b2s2n - b2s6n;
-  const T t_337 = k_29 * (b2s6n + b2s2s);
-  const T t_338 = b2s2s - b2s6n;
-  const T t_339 = b2s4n + t_335;
-  const T t_340 = t_335 - b2s4n;
-  const T t_341 = b2s4s + t_337;
-  const T t_342 = t_337 - b2s4s;
-  const T t_343 = b2c3n - b2c5n;
-  const T t_344 = b2c3n + b2c5n;
-  const T t_345 = b2c3s - b2c5s;
-  const T t_346 = b2c3s + b2c5s;
-  const T t_347 = b2c1n + t_344;
-  const T t_348 = k_30 * b2c1n + k_31 * t_343;
-  const T t_349 = k_29 * b2c1n - k_29 * t_344;
-  const T t_350 = k_31 * b2c1n - k_30 * t_343;
-  const T t_351 = b2c1s + t_346;
-  const T t_352 = k_30 * b2c1s + k_31 * t_345;
-  const T t_353 = k_29 * b2c1s - k_29 * t_346;
-  const T t_354 = k_31 * b2c1s - k_30 * t_345;
-  const T t_355 = b2s5n + b2s3n;
-  const T t_356 = b2s5n - b2s3n;
-  const T t_357 = b2s5s + b2s3s;
-  const T t_358 = b2s5s - b2s3s;
-  const T t_359 = k_31 * b2s1n + k_30 * t_355;
-  const T t_360 = k_29 * b2s1n - k_29 * t_356;
-  const T t_361 = b2s1n + t_356;
-  const T t_362 = k_30 * b2s1n - k_31 * t_355;
-  const T t_363 = k_31 * b2s1s + k_30 * t_357;
-  const T t_364 = k_29 * b2s1s - k_29 * t_358;
-  const T t_365 = b2s1s + t_358;
-  const T t_366 = k_30 * b2s1s - k_31 * t_357;
-  const T t_367 = t_277 * t_325 + t_299 * t_347;
-  const T t_368 = t_277 * t_347 + t_299 * t_325;
-  const T t_369 = t_279 * t_327 + t_291 * t_339 + t_300 * t_348 + t_311 * t_359;
-  const T t_370 = t_279 * t_339 + t_291 * t_327 + t_300 * t_359 + t_311 * t_348;
-  const T t_371 = t_279 * t_348 + t_291 * t_359 + t_300 * t_327 + t_311 * t_339;
-  const T t_372 = t_279 * t_359 + t_291 * t_348 + t_300 * t_339 + t_311 * t_327;
-  const T t_373 = t_281 * t_329 + t_288 * t_336 + t_301 * t_349 + t_312 * t_360;
-  const T t_374 = t_281 * t_336 + t_288 * t_329 + t_301 * t_360 + t_312 * t_349;
-  const T t_375 = t_281 * t_349 + t_288 * t_360 + t_301 * t_329 + t_312 * t_336;
-  const T t_376 = t_281 * t_360 + t_288 * t_349 + t_301 * t_336 + t_312 * t_329;
-  const T t_377 = t_280 * t_328 + t_292 * t_340 + t_302 * t_350 + t_314 * t_362;
-  const T t_378 = t_280 * t_340 + t_292 * t_328 + t_302 * t_362 + t_314 * t_350;
-  const T t_379 = t_280 * t_350 + t_292 * t_362 + t_302 * t_328 + t_314 * t_340;
-  const T t_380 = t_280 * t_362 + t_292 * t_350 + t_302 * t_340 + t_314 * t_328;
-  const T t_381 = t_278 * t_326 + t_313 * t_361;
-  const T t_382 = t_278 * t_361 + t_313 * t_326;
-  const T t_383 = t_282 * t_330 + t_303 * t_351;
-  const T t_384 = t_282 * t_351 + t_303 * t_330;
-  const T t_385 = t_284 * t_332 + t_293 * t_341 + t_304 * t_352 + t_315 * t_363;
-  const T t_386 = t_284 * t_341 + t_293 * t_332 + t_304 * t_363 + t_315 * t_352;
-  const T t_387 = t_284 * t_352 + t_293 * t_363 + t_304 * t_332 + t_315 * t_341;
-  const T t_388 = t_284 * t_363 + t_293 * t_352 + t_304 * t_341 + t_315 * t_332;
-  const T t_389 = t_286 * t_334 + t_290 * t_338 + t_305 * t_353 + t_316 * t_364;
-  const T t_390 = t_286 * t_338 + t_290 * t_334 + t_305 * t_364 + t_316 * t_353;
-  const T t_391 = t_286 * t_353 + t_290 * t_364 + t_305 * t_334 + t_316 * t_338;
-  const T t_392 = t_286 * t_364 + t_290 * t_353 + t_305 * t_338 + t_316 * t_334;
-  const T t_393 = t_285 * t_333 + t_294 * t_342 + t_306 * t_354 + t_318 * t_366;
-  const T t_394 = t_285 * t_342 + t_294 * t_333 + t_306 * t_366 + t_318 * t_354;
-  const T t_395 = t_285 * t_354 + t_294 * t_366 + t_306 * t_333 + t_318 * t_342;
-  const T t_396 = t_285 * t_366 + t_294 * t_354 + t_306 * t_342 + t_318 * t_333;
-  const T t_397 = t_283 * t_331 + t_317 * t_365;
-  const T t_398 = t_283 * t_365 + t_317 * t_331;
-  const T t_399 = k_32 * (t_385 - t_393);
-  const T t_400 = t_383 - t_397;
-  const T t_401 = k_33 * (t_397 + t_383);
-  const T t_402 = t_393 + t_389 + t_385 + t_401;
-  const T t_403 = t_401 - t_389;
-  const T t_404 = k_32 * (t_369 - t_377);
-  const T t_405 = t_367 - t_381;
-  const T t_406 = k_33 * (t_381 + t_367);
-  const T t_407 = t_377 + t_373 + t_369 + t_406;
-  const T t_408 = t_406 - t_373;
-  const T t_409 = t_400 + t_399;
-  const T t_410 = t_404 + t_405;
-  const T t_411 = t_386 - t_394;
-  const T t_412 = k_29 * (t_394 + t_386);
-  const T t_413 = t_370 - t_378;
-  const T t_414 = k_29 * (t_378 + t_370);
-  const T t_415 = t_390 + t_412;
-  const T t_416 = t_374 + t_414;
-  const T t_417 = k_31 * t_387 - k_30 * t_395;
-  const T t_418 = k_34 * t_395 + k_32 * t_391 + k_35 * t_387 + t_384;
-  const T t_419 = k_33 * t_384 - k_29 * t_391;
-  const T t_420 = k_31 * t_371 - k_30 * t_379;
-  const T t_421 = k_34 * t_379 + k_32 * t_375 + k_35 * t_371 + t_368;
-  const T t_422 = k_33 * t_368 - k_29 * t_375;
-  const T t_423 = t_420 + t_422;
-  const T t_424 = t_417 + t_419;
-  const T t_425 = k_33 * t_398 - k_29 * t_392;
-  const T t_426 = k_36 * t_398 + k_37 * t_396 + k_38 * t_392 + t_388;
-  const T t_427 = k_30 * t_388 - k_31 * t_396;
-  const T t_428 = k_33 * t_382 - k_29 * t_376;
-  const T t_429 = k_36 * t_382 + k_37 * t_380 + k_38 * t_376 + t_372;
-  const T t_430 = k_30 * t_372 - k_31 * t_380;
-  const T t_431 = t_430 - t_428;
-  const T t_432 = t_427 - t_425;
-  const T t_433 = t_422 - t_420 - (a2c5n * b2c6n - a2s5n * b2s6n + (a2c6n * b2c5n - a2s6n * b2s5n));
-  const T t_434 = t_428 + t_430 + (a2s5n * b2c6n + a2c5n * b2s6n + (a2s6n * b2c5n + a2c6n * b2s5n));
-  const T t_435 = t_419 - t_417 - (a2c5s * b2c6n - a2s5s * b2s6n + (a2c6n * b2c5s - a2s6n * b2s5s));
-  const T t_436 = t_425 + t_427 + (a2s5s * b2c6n + a2c5s * b2s6n + (a2s6n * b2c5s + a2c6n * b2s5s));
-  const T t_437 = t_413 + t_411 + k_39 * (a2s6n * b2c6n + a2c6n * b2s6n);
-  const T t_438 = t_431 + t_432;
-  const T t_439 = t_431 - t_432;
-  const T t_440 = t_416 + t_415;
-  const T t_441 = t_416 - t_415;
-  const T t_442 = t_429 + t_426;
-  const T t_443 = t_429 - t_426;
-  const T t_444 = t_407 + t_402;
-  const T t_445 = t_407 - t_402;
-  const T t_446 = t_421 + t_418;
-  const T t_447 = t_421 - t_418;
-  const T t_448 = t_410 + t_409;
-  const T t_449 = t_410 - t_409;
-  const T t_450 = t_423 + t_424;
-  const T t_451 = t_423 - t_424;
-  const T t_452 = t_408 + t_403 - k_39 * (a2c6n * b2c6n - a2s6n * b2s6n);
-  const T a3s6n = k_146 * a[36];
-  const T t_453 = k_147 * a[25];
-  const T t_454 = k_148 * a[37];
-  const T t_455 = k_215 * a[37];
-  const T a3s5n = t_453 + t_454;
-  const T a3s5s = t_453 - t_454;
-  const T t_456 = k_149 * a[16] + k_150 * a[38];
-  const T t_457 = k_151 * a[26];
-  const T t_458 = k_218 * a[26];
-  const T a3s4n = t_456 + t_457;
-  const T a3s4s = t_456 - t_457;
-  const T t_459 = k_152 * a[9] + k_153 * a[27];
-  const T t_460 = k_155 * (a[17] + k_154 * a[39]);
-  const T t_461 = k_222 * (a[39] - k_221 * a[17]);
-  const T a3s3n = t_459 + t_460;
-  const T a3s3s = t_459 - t_460;
-  const T t_462 = k_156 * a[4] + k_157 * a[18] - k_158 * a[40];
-  const T t_463 = k_160 * (a[10] - k_159 * a[28]);
-  const T t_464 = k_227 * (a[28] - k_226 * a[10]);
-  const T a3s2n = t_462 + t_463;
-  const T a3s2s = t_462 - t_463;
-  const T t_465 = k_161 * a[1] + k_162 * a[11] - k_163 * a[29];
-  const T t_466 = k_166 * (a[5] - k_164 * a[19] - k_165 * a[41]);
-  const T t_467 = k_233 * (a[19] - k_231 * a[5] - k_232 * a[41]);
-  const T a3s1n = t_465 + t_466;
-  const T a3s1s = t_465 - t_466;
-  const T t_468 = k_167 * a[0] - k_168 * a[6] - k_169 * a[20] + k_170 * a[42];
-  const T t_469 = k_173 * (a[12] - k_171 * a[2] + k_172 * a[30]);
-  const T a3c0n = t_468 - t_469;
-  const T a3c0s = t_468 + t_469;
-  const T t_470 = k_161 * a[3] + k_162 * a[13] - k_163 * a[31];
-  const T t_471 = k_166 * (a[7] - k_164 * a[21] - k_165 * a[43]);
-  const T t_472 = k_233 * (a[21] - k_231 * a[7] - k_232 * a[43]);
-  const T a3c1n = t_470 + t_471;
-  const T a3c1s = t_470 - t_471;
-  const T t_473 = k_156 * a[8] + k_157 * a[22] - k_158 * a[44];
-  const T t_474 = k_160 * (a[14] - k_159 * a[32]);
-  const T t_475 = k_227 * (a[32] - k_226 * a[14]);
-  const T a3c2n = t_473 + t_474;
-  const T a3c2s = t_473 - t_474;
-  const T t_476 = k_152 * a[15] + k_153 * a[33];
-  const T t_477 = k_155 * (a[23] + k_154 * a[45]);
-  const T t_478 = k_222 * (a[45] - k_221 * a[23]);
-  const T a3c3n = t_476 + t_477;
-  const T a3c3s = t_476 - t_477;
-  const T t_479 = k_149 * a[24] + k_150 * a[46];
-  const T t_480 = k_151 * a[34];
-  const T t_481 = k_218 * a[34];
-  const T a3c4n = t_479 + t_480;
-  const T a3c4s = t_479 - t_480;
-  const T t_482 = k_147 * a[35];
-  const T t_483 = k_148 * a[47];
-  const T t_484 = k_215 * a[47];
-  const T a3c5n = t_482 + t_483;
-  const T a3c5s = t_482 - t_483;
-  const T a3c6n = k_146 * a[48];
-  const T b3s6n = k_146 * b[36];
-  const T t_485 = k_147 * b[25];
-  const T t_486 = k_148 * b[37];
-  const T t_487 = k_215 * b[37];
-  const T b3s5n = t_485 + t_486;
-  const T b3s5s = t_485 - t_486;
-  const T t_488 = k_149 * b[16] + k_150 * b[38];
-  const T t_489 = k_151 * b[26];
-  const T t_490 = k_218 * b[26];
-  const T b3s4n = t_488 + t_489;
-  const T b3s4s = t_488 - t_489;
-  const T t_491 = k_152 * b[9] + k_153 * b[27];
-  const T t_492 = k_155 * (b[17] + k_154 * b[39]);
-  const T t_493 = k_222 * (b[39] - k_221 * b[17]);
-  const T b3s3n = t_491 + t_492;
-  const T b3s3s = t_491 - t_492;
-  const T t_494 = k_156 * b[4] + k_157 * b[18] - k_158 * b[40];
-  const T t_495 = k_160 * (b[10] - k_159 * b[28]);
-  const T t_496 = k_227 * (b[28] - k_226 * b[10]);
-  const T b3s2n = t_494 + t_495;
-  const T b3s2s = t_494 - t_495;
-  const T t_497 = k_161 * b[1] + k_162 * b[11] - k_163 * b[29];
-  const T t_498 = k_166 * (b[5] - k_164 * b[19] - k_165 * b[41]);
-  const T t_499 = k_233 * (b[19] - k_231 * b[5] - k_232 * b[41]);
-  const T b3s1n = t_497 + t_498;
-  const T b3s1s = t_497 - t_498;
-  const T t_500 = k_167 * b[0] - k_168 * b[6] - k_169 * b[20] + k_170 * b[42];
-  const T t_501 = k_173 * (b[12] - k_171 * b[2] + k_172 * b[30]);
-  const T b3c0n = t_500 - t_501;
-  const T b3c0s = t_500 + t_501;
-  const T t_502 = k_161 * b[3] + k_162 * b[13] - k_163 * b[31];
-  const T t_503 = k_166 * (b[7] - k_164 * b[21] - k_165 * b[43]);
-  const T t_504 = k_233 * (b[21] - k_231 * b[7] - k_232 * b[43]);
-  const T b3c1n = t_502 + t_503;
-  const T b3c1s = t_502 - t_503;
-  const T t_505 = k_156 * b[8] + k_157 * b[22] - k_158 * b[44];
-  const T t_506 = k_160 * (b[14] - k_159 * b[32]);
-  const T t_507 = k_227 * (b[32] - k_226 * b[14]);
-  const T b3c2n = t_505 + t_506;
-  const T b3c2s = t_505 - t_506;
-  const T t_508 = k_152 * b[15] + k_153 * b[33];
-  const T t_509 = k_155 * (b[23] + k_154 * b[45]);
-  const T t_510 = k_222 * (b[45] - k_221 * b[23]);
-  const T b3c3n = t_508 + t_509;
-  const T b3c3s = t_508 - t_509;
-  const T t_511 = k_149 * b[24] + k_150 * b[46];
-  const T t_512 = k_151 * b[34];
-  const T t_513 = k_218 * b[34];
-  const T b3c4n = t_511 + t_512;
-  const T b3c4s = t_511 - t_512;
-  const T t_514 = k_147 * b[35];
-  const T t_515 = k_148 * b[47];
-  const T t_516 = k_215 * b[47];
-  const T b3c5n = t_514 + t_515;
-  const T b3c5s = t_514 - t_515;
-  const T b3c6n = k_146 * b[48];
-  const T t_517 = a3c0n + a3c4n;
-  const T t_518 = a3c0s + a3c4s;
-  const T t_519 = a3c2n + a3c6n;
-  const T t_520 = k_29 * (a3c2n - a3c6n);
-  const T t_521 = a3c2s + a3c6n;
-  const T t_522 = k_29 * (a3c2s - a3c6n);
-  const T t_523 = t_517 + t_519;
-  const T t_524 = t_517 - t_519;
-  const T t_525 = a3c0n + t_520;
-  const T t_526 = a3c0n - t_520;
-  const T t_527 = a3c0n - a3c4n;
-  const T t_528 = t_518 + t_521;
-  const T t_529 = t_518 - t_521;
-  const T t_530 = a3c0s + t_522;
-  const T t_531 = a3c0s - t_522;
-  const T t_532 = a3c0s - a3c4s;
-  const T t_533 = k_29 * (a3s6n + a3s2n);
-  const T t_534 = a3s2n - a3s6n;
-  const T t_535 = k_29 * (a3s6n + a3s2s);
-  const T t_536 = a3s2s - a3s6n;
-  const T t_537 = a3s4n + t_533;
-  const T t_538 = t_533 - a3s4n;
-  const T t_539 = a3s4s + t_535;
-  const T t_540 = t_535 - a3s4s;
-  const T t_541 = a3c3n - a3c5n;
-  const T t_542 = a3c3n + a3c5n;
-  const T t_543 = a3c3s - a3c5s;
-  const T t_544 = a3c3s + a3c5s;
-  const T t_545 = a3c1n + t_542;
-  const T t_546 = k_30 * a3c1n + k_31 * t_541;
-  const T t_547 = k_29 * a3c1n - k_29 * t_542;
-  const T t_548 = k_31 * a3c1n - k_30 * t_541;
-  const T t_549 = a3c1s + t_544;
-  const T t_550 = k_30 * a3c1s + k_31 * t_543;
-  const T t_551 = k_29 * a3c1s - k_29 * t_544;
-  const T t_552 = k_31 * a3c1s - k_30 * t_543;
-  const T t_553 = a3s5n + a3s3n;
-  const T t_554 = a3s5n - a3s3n;
-  const T t_555 = a3s5s + a3s3s;
-  const T t_556 = a3s5s - a3s3s;
-  const T t_557 = k_31 * a3s1n + k_30 * t_553;
-  const T t_558 = k_29 * a3s1n - k_29 * t_554;
-  const T t_559 = a3s1n + t_554;
-  const T t_560 = k_30 * a3s1n - k_31 * t_553;
-  const T t_561 = k_31 * a3s1s + k_30 * t_555;
-  const T t_562 = k_29 * a3s1s - k_29 * t_556;
-  const T t_563 = a3s1s + t_556;
-  const T t_564 = k_30 * a3s1s - k_31 * t_555;
-  const T t_565 = b3c0n + b3c4n;
-  const T t_566 = b3c0s + b3c4s;
-  const T t_567 = b3c2n + b3c6n;
-  const T t_568 = k_29 * (b3c2n - b3c6n);
-  const T t_569 = b3c2s + b3c6n;
-  const T t_570 = k_29 * (b3c2s - b3c6n);
-  const T t_571 = t_565 + t_567;
-  const T t_572 = t_565 - t_567;
-  const T t_573 = b3c0n + t_568;
-  const T t_574 = b3c0n - t_568;
-  const T t_575 = b3c0n - b3c4n;
-  const T t_576 = t_566 + t_569;
-  const T t_577 = t_566 - t_569;
-  const T t_578 = b3c0s + t_570;
-  const T t_579 = b3c0s - t_570;
-  const T t_580 = b3c0s - b3c4s;
-  const T t_581 = k_29 * (b3s6n + b3s2n);
-  const T t_582 = b3s2n - b3s6n;
-  const T t_583 = k_29 * (b3s6n + b3s2s);
-  const T t_584 = b3s2s - b3s6n;
-  const T t_585 = b3s4n + t_581;
-  const T t_586 = t_581 - b3s4n;
-  const T t_587 = b3s4s + t_583;
-  const T t_588 = t_583 - b3s4s;
-  const T t_589 = b3c3n - b3c5n;
-  const T t_590 = b3c3n + b3c5n;
-  const T t_591 = b3c3s - b3c5s;
-  const T t_592 = b3c3s + b3c5s;
-  const T t_593 = b3c1n + t_590;
-  const T t_594 = k_30 * b3c1n + k_31 * t_589;
-  const T t_595 = k_29 * b3c1n - k_29 * t_590;
-  const T t_596 = k_31 * b3c1n - k_30 * t_589;
-  const T t_597 = b3c1s + t_592;
-  const T t_598 = k_30 * b3c1s + k_31 * t_591;
-  const T t_599 = k_29 * b3c1s - k_29 * t_592;
-  const T t_600 = k_31 * b3c1s - k_30 * t_591;
-  const T t_601 = b3s5n + b3s3n;
-  const T t_602 = b3s5n - b3s3n;
-  const T t_603 = b3s5s + b3s3s;
-  const T t_604 = b3s5s - b3s3s;
-  const T t_605 = k_31 * b3s1n + k_30 * t_601;
-  const T t_606 = k_29 * b3s1n - k_29 * t_602;
-  const T t_607 = b3s1n + t_602;
-  const T t_608 = k_30 * b3s1n - k_31 * t_601;
-  const T t_609 = k_31 * b3s1s + k_30 * t_603;
-  const T t_610 = k_29 * b3s1s - k_29 * t_604;
-  const T t_611 = b3s1s + t_604;
-  const T t_612 = k_30 * b3s1s - k_31 * t_603;
-  const T t_613 = t_523 * t_571 + t_545 * t_593;
-  const T t_614 = t_523 * t_593 + t_545 * t_571;
-  const T t_615 = t_525 * t_573 + t_537 * t_585 + t_546 * t_594 + t_557 * t_605;
-  const T t_616 = t_525 * t_585 + t_537 * t_573 + t_546 * t_605 + t_557 * t_594;
-  const T t_617 = t_525 * t_594 + t_537 * t_605 + t_546 * t_573 + t_557 * t_585;
-  const T t_618 = t_525 * t_605 + t_537 * t_594 + t_546 * t_585 + t_557 * t_573;
-  const T t_619 = t_527 * t_575 + t_534 * t_582 + t_547 * t_595 + t_558 * t_606;
-  const T t_620 = t_527 * t_582 + t_534 * t_575 + t_547 * t_606 + t_558 * t_595;
-  const T t_621 = t_527 * t_595 + t_534 * t_606 + t_547 * t_575 + t_558 * t_582;
-  const T t_622 = t_527 * t_606 + t_534 * t_595 + t_547 * t_582 + t_558 * t_575;
-  const T t_623 = t_526 * t_574 + t_538 * t_586 + t_548 * t_596 + t_560 * t_608;
-  const T t_624 = t_526 * t_586 + t_538 * t_574 + t_548 * t_608 + t_560 * t_596;
-  const T t_625 = t_526 * t_596 + t_538 * t_608 + t_548 * t_574 + t_560 * t_586;
-  const T t_626 = t_526 * t_608 + t_538 * t_596 + t_548 * t_586 + t_560 * t_574;
-  const T t_627 = t_524 * t_572 + t_559 * t_607;
-  const T t_628 = t_524 * t_607 + t_559 * t_572;
-  const T t_629 = t_528 * t_576 + t_549 * t_597;
-  const T t_630 = t_528 * t_597 + t_549 * t_576;
-  const T t_631 = t_530 * t_578 + t_539 * t_587 + t_550 * t_598 + t_561 * t_609;
-  const T t_632 = t_530 * t_587 + t_539 * t_578 + t_550 * t_609 + t_561 * t_598;
-  const T t_633 = t_530 * t_598 + t_539 * t_609 + t_550 * t_578 + t_561 * t_587;
-  const T t_634 = t_530 * t_609 + t_539 * t_598 + t_550 * t_587 + t_561 * t_578;
-  const T t_635 = t_532 * t_580 + t_536 * t_584 + t_551 * t_599 + t_562 * t_610;
-  const T t_636 = t_532 * t_584 + t_536 * t_580 + t_551 * t_610 + t_562 * t_599;
-  const T t_637 = t_532 * t_599 + t_536 * t_610 + t_551 * t_580 + t_562 * t_584;
-  const T t_638 = t_532 * t_610 + t_536 * t_599 + t_551 * t_584 + t_562 * t_580;
-  const T t_639 = t_531 * t_579 + t_540 * t_588 + t_552 * t_600 + t_564 * t_612;
-  const T t_640 = t_531 * t_588 + t_540 * t_579 + t_552 * t_612 + t_564 * t_600;
-  const T t_641 = t_531 * t_600 + t_540 * t_612 + t_552 * t_579 + t_564 * t_588;
-  const T t_642 = t_531 * t_612 + t_540 * t_600 + t_552 * t_588 + t_564 * t_579;
-  const T t_643 = t_529 * t_577 + t_563 * t_611;
-  const T t_644 = t_529 * t_611 + t_563 * t_577;
-  const T t_645 = k_32 * (t_631 - t_639);
-  const T t_646 = t_629 - t_643;
-  const T t_647 = k_33 * (t_643 + t_629);
-  const T t_648 = t_639 + t_635 + t_631 + t_647;
-  const T t_649 = t_647 - t_635;
-  const T t_650 = k_32 * (t_615 - t_623);
-  const T t_651 = t_613 - t_627;
-  const T t_652 = k_33 * (t_627 + t_613);
-  const T t_653 = t_623 + t_619 + t_615 + t_652;
-  const T t_654 = t_652 - t_619;
-  const T t_655 = t_646 + t_645;
-  const T t_656 = t_650 + t_651;
-  const T t_657 = t_632 - t_640;
-  const T t_658 = k_29 * (t_640 + t_632);
-  const T t_659 = t_616 - t_624;
-  const T t_660 = k_29 * (t_624 + t_616);
-  const T t_661 = t_636 + t_658;
-  const T t_662 = t_620 + t_660;
-  const T t_663 = k_31 * t_633 - k_30 * t_641;
-  const T t_664 = k_34 * t_641 + k_32 * t_637 + k_35 * t_633 + t_630;
-  const T t_665 = k_33 * t_630 - k_29 * t_637;
-  const T t_666 = k_31 * t_617 - k_30 * t_625;
-  const T t_667 = k_34 * t_625 + k_32 * t_621 + k_35 * t_617 + t_614;
-  const T t_668 = k_33 * t_614 - k_29 * t_621;
-  const T t_669 = t_666 + t_668;
-  const T t_670 = t_663 + t_665;
-  const T t_671 = k_33 * t_644 - k_29 * t_638;
-  const T t_672 = k_36 * t_644 + k_37 * t_642 + k_38 * t_638 + t_634;
-  const T t_673 = k_30 * t_634 - k_31 * t_642;
-  const T t_674 = k_33 * t_628 - k_29 * t_622;
-  const T t_675 = k_36 * t_628 + k_37 * t_626 + k_38 * t_622 + t_618;
-  const T t_676 = k_30 * t_618 - k_31 * t_626;
-  const T t_677 = t_676 - t_674;
-  const T t_678 = t_673 - t_671;
-  const T t_679 = t_668 - t_666 - (a3c5n * b3c6n - a3s5n * b3s6n + (a3c6n * b3c5n - a3s6n * b3s5n));
-  const T t_680 = t_674 + t_676 + (a3s5n * b3c6n + a3c5n * b3s6n + (a3s6n * b3c5n + a3c6n * b3s5n));
-  const T t_681 = t_665 - t_663 - (a3c5s * b3c6n - a3s5s * b3s6n + (a3c6n * b3c5s - a3s6n * b3s5s));
-  const T t_682 = t_671 + t_673 + (a3s5s * b3c6n + a3c5s * b3s6n + (a3s6n * b3c5s + a3c6n * b3s5s));
-  const T t_683 = t_659 + t_657 + k_39 * (a3s6n * b3c6n + a3c6n * b3s6n);
-  const T t_684 = t_677 + t_678;
-  const T t_685 = t_677 - t_678;
-  const T t_686 = t_662 + t_661;
-  const T t_687 = t_662 - t_661;
-  const T t_688 = t_675 + t_672;
-  const T t_689 = t_675 - t_672;
-  const T t_690 = t_653 + t_648;
-  const T t_691 = t_653 - t_648;
-  const T t_692 = t_667 + t_664;
-  const T t_693 = t_667 - t_664;
-  const T t_694 = t_656 + t_655;
-  const T t_695 = t_656 - t_655;
-  const T t_696 = t_669 + t_670;
-  const T t_697 = t_669 - t_670;
-  const T t_698 = t_654 + t_649 - k_39 * (a3c6n * b3c6n - a3s6n * b3s6n);
-  const T a4s6n = k_213 * a[36];
-  const T a6s6n = k_294 * a[36];
-  const T t_699 = k_214 * a[25];
-  const T a6s5n = k_295 * a[25];
-  const T a4s5n = t_699 + t_455;
-  const T a4s5s = t_699 - t_455;
-  const T t_700 = k_216 * a[16] - k_217 * a[38];
-  const T a6s4n = k_296 * a[16] - k_297 * a[38];
-  const T a4s4n = t_700 + t_458;
-  const T a4s4s = t_700 - t_458;
-  const T t_701 = k_219 * a[9] - k_220 * a[27];
-  const T a6s3n = k_298 * a[9] - k_299 * a[27];
-  const T a4s3n = t_701 - t_461;
-  const T a4s3s = t_701 + t_461;
-  const T t_702 = k_223 * a[4] - k_224 * a[18] - k_225 * a[40];
-  const T a6s2n = k_300 * a[4] - k_301 * a[18] + k_302 * a[40];
-  const T a4s2n = t_702 - t_464;
-  const T a4s2s = t_702 + t_464;
-  const T t_703 = k_228 * a[1] - k_229 * a[11] - k_230 * a[29];
-  const T a6s1n = k_303 * a[1] - k_304 * a[11] + k_305 * a[29];
-  const T a4s1n = t_703 - t_467;
-  const T a4s1s = t_703 + t_467;
-  const T t_704 = k_280 * a[0];
-  const T t_705 = k_234 * a[0] - k_235 * a[6] + k_236 * a[20] + k_237 * a[42];
-  const T t_706 = k_240 * (k_238 * a[2] - k_239 * a[12] + a[30]);
-  const T t_707 = k_286 * (k_284 * a[2] + k_285 * a[12] + a[30]);
-  const T a4c0n = t_705 + t_706;
-  const T a4c0s = t_705 - t_706;
-  const T t_708 = k_228 * a[3] - k_229 * a[13] - k_230 * a[31];
-  const T a6c1n = k_303 * a[3] - k_304 * a[13] + k_305 * a[31];
-  const T a4c1n = t_708 - t_472;
-  const T a4c1s = t_708 + t_472;
-  const T t_709 = k_223 * a[8] - k_224 * a[22] - k_225 * a[44];
-  const T a6c2n = k_300 * a[8] - k_301 * a[22] + k_302 * a[44];
-  const T a4c2n = t_709 - t_475;
-  const T a4c2s = t_709 + t_475;
-  const T t_710 = k_219 * a[15] - k_220 * a[33];
-  const T a6c3n = k_298 * a[15] - k_299 * a[33];
-  const T a4c3n = t_710 - t_478;
-  const T a4c3s = t_710 + t_478;
-  const T t_711 = k_216 * a[24] - k_217 * a[46];
-  const T a6c4n = k_296 * a[24] - k_297 * a[46];
-  const T a4c4n = t_711 + t_481;
-  const T a4c4s = t_711 - t_481;
-  const T t_712 = k_214 * a[35];
-  const T a6c5n = k_295 * a[35];
-  const T a4c5n = t_712 + t_484;
-  const T a4c5s = t_712 - t_484;
-  const T a4c6n = k_213 * a[48];
-  const T a6c6n = k_294 * a[48];
-  const T b4s6n = k_213 * b[36];
-  const T b6s6n = k_294 * b[36];
-  const T t_713 = k_214 * b[25];
-  const T b6s5n = k_295 * b[25];
-  const T b4s5n = t_713 + t_487;
-  const T b4s5s = t_713 - t_487;
-  const T t_714 = k_216 * b[16] - k_217 * b[38];
-  const T b6s4n = k_296 * b[16] - k_297 * b[38];
-  const T b4s4n = t_714 + t_490;
-  const T b4s4s = t_714 - t_490;
-  const T t_715 = k_219 * b[9] - k_220 * b[27];
-  const T b6s3n = k_298 * b[9] - k_299 * b[27];
-  const T b4s3n = t_715 - t_493;
-  const T b4s3s = t_715 + t_493;
-  const T t_716 = k_223 * b[4] - k_224 * b[18] - k_225 * b[40];
-  const T b6s2n = k_300 * b[4] - k_301 * b[18] + k_302 * b[40];
-  const T b4s2n = t_716 - t_496;
-  const T b4s2s = t_716 + t_496;
-  const T t_717 = k_228 * b[1] - k_229 * b[11] - k_230 * b[29];
-  const T b6s1n = k_303 * b[1] - k_304 * b[11] + k_305 * b[29];
-  const T b4s1n = t_717 - t_499;
-  const T b4s1s = t_717 + t_499;
-  const T t_718 = k_280 * b[0];
-  const T t_719 = k_234 * b[0] - k_235 * b[6] + k_236 * b[20] + k_237 * b[42];
-  const T t_720 = k_240 * (k_238 * b[2] - k_239 * b[12] + b[30]);
-  const T t_721 = k_286 * (k_284 * b[2] + k_285 * b[12] + b[30]);
-  const T b4c0n = t_719 + t_720;
-  const T b4c0s = t_719 - t_720;
-  const T t_722 = k_228 * b[3] - k_229 * b[13] - k_230 * b[31];
-  const T b6c1n = k_303 * b[3] - k_304 * b[13] + k_305 * b[31];
-  const T b4c1n = t_722 - t_504;
-  const T b4c1s = t_722 + t_504;
-  const T t_723 = k_223 * b[8] - k_224 * b[22] - k_225 * b[44];
-  const T b6c2n = k_300 * b[8] - k_301 * b[22] + k_302 * b[44];
-  const T b4c2n = t_723 - t_507;
-  const T b4c2s = t_723 + t_507;
-  const T t_724 = k_219 * b[15] - k_220 * b[33];
-  const T b6c3n = k_298 * b[15] - k_299 * b[33];
-  const T b4c3n = t_724 - t_510;
-  const T b4c3s = t_724 + t_510;
-  const T t_725 = k_216 * b[24] - k_217 * b[46];
-  const T b6c4n = k_296 * b[24] - k_297 * b[46];
-  const T b4c4n = t_725 + t_513;
-  const T b4c4s = t_725 - t_513;
-  const T t_726 = k_214 * b[35];
-  const T b6c5n = k_295 * b[35];
-  const T b4c5n = t_726 + t_516;
-  const T b4c5s = t_726 - t_516;
-  const T b4c6n = k_213 * b[48];
-  const T b6c6n = k_294 * b[48];
-  const T t_727 = a4c0n + a4c4n;
-  const T t_728 = a4c0s + a4c4s;
-  const T t_729 = a4c2n + a4c6n;
-  const T t_730 = k_29 * (a4c2n - a4c6n);
-  const T t_731 = a4c2s + a4c6n;
-  const T t_732 = k_29 * (a4c2s - a4c6n);
-  const T t_733 = t_727 + t_729;
-  const T t_734 = t_727 - t_729;
-  const T t_735 = a4c0n + t_730;
-  const T t_736 = a4c0n - t_730;
-  const T t_737 = a4c0n - a4c4n;
-  const T t_738 = t_728 + t_731;
-  const T t_739 = t_728 - t_731;
-  const T t_740 = a4c0s + t_732;
-  const T t_741 = a4c0s - t_732;
-  const T t_742 = a4c0s - a4c4s;
-  const T t_743 = k_29 * (a4s6n + a4s2n);
-  const T t_744 = a4s2n - a4s6n;
-  const T t_745 = k_29 * (a4s6n + a4s2s);
-  const T t_746 = a4s2s - a4s6n;
-  const T t_747 = a4s4n + t_743;
-  const T t_748 = t_743 - a4s4n;
-  const T t_749 = a4s4s + t_745;
-  const T t_750 = t_745 - a4s4s;
-  const T t_751 = a4c3n - a4c5n;
-  const T t_752 = a4c3n + a4c5n;
-  const T t_753 = a4c3s - a4c5s;
-  const T t_754 = a4c3s + a4c5s;
-  const T t_755 = a4c1n + t_752;
-  const T t_756 = k_30 * a4c1n + k_31 * t_751;
-  const T t_757 = k_29 * a4c1n - k_29 * t_752;
-  const T t_758 = k_31 * a4c1n - k_30 * t_751;
-  const T t_759 = a4c1s + t_754;
-  const T t_760 = k_30 * a4c1s + k_31 * t_753;
-  const T t_761 = k_29 * a4c1s - k_29 * t_754;
-  const T t_762 = k_31 * a4c1s - k_30 * t_753;
-  const T t_763 = a4s5n + a4s3n;
-  const T t_764 = a4s5n - a4s3n;
-  const T t_765 = a4s5s + a4s3s;
-  const T t_766 = a4s5s - a4s3s;
-  const T t_767 = k_31 * a4s1n + k_30 * t_763;
-  const T t_768 = k_29 * a4s1n - k_29 * t_764;
-  const T t_769 = a4s1n + t_764;
-  const T t_770 = k_30 * a4s1n - k_31 * t_763;
-  const T t_771 = k_31 * a4s1s + k_30 * t_765;
-  const T t_772 = k_29 * a4s1s - k_29 * t_766;
-  const T t_773 = a4s1s + t_766;
-  const T t_774 = k_30 * a4s1s - k_31 * t_765;
-  const T t_775 = b4c0n + b4c4n;
-  const T t_776 = b4c0s + b4c4s;
-  const T t_777 = b4c2n + b4c6n;
-  const T t_778 = k_29 * (b4c2n - b4c6n);
-  const T t_779 = b4c2s + b4c6n;
-  const T t_780 = k_29 * (b4c2s - b4c6n);
-  const T t_781 = t_775 + t_777;
-  const T t_782 = t_775 - t_777;
-  const T t_783 = b4c0n + t_778;
-  const T t_784 = b4c0n - t_778;
-  const T t_785 = b4c0n - b4c4n;
-  const T t_786 = t_776 + t_779;
-  const T t_787 = t_776 - t_779;
-  const T t_788 = b4c0s + t_780;
-  const T t_789 = b4c0s - t_780;
-  const T t_790 = b4c0s - b4c4s;
-  const T t_791 = k_29 * (b4s6n + b4s2n);
-  const T t_792 = b4s2n - b4s6n;
-  const T t_793 = k_29 * (b4s6n + b4s2s);
-  const T t_794 = b4s2s - b4s6n;
-  const T t_795 = b4s4n + t_791;
-  const T t_796 = t_791 - b4s4n;
-  const T t_797 = b4s4s + t_793;
-  const T t_798 = t_793 - b4s4s;
-  const T t_799 = b4c3n - b4c5n;
-  const T t_800 = b4c3n + b4c5n;
-  const T t_801 = b4c3s - b4c5s;
-  const T t_802 = b4c3s + b4c5s;
-  const T t_803 = b4c1n + t_800;
-  const T t_804 = k_30 * b4c1n + k_31 * t_799;
-  const T t_805 = k_29 * b4c1n - k_29 * t_800;
-  const T t_806 = k_31 * b4c1n - k_30 * t_799;
-  const T t_807 = b4c1s + t_802;
-  const T t_808 = k_30 * b4c1s + k_31 * t_801;
-  const T t_809 = k_29 * b4c1s - k_29 * t_802;
-  const T t_810 = k_31 * b4c1s - k_30 * t_801;
-  const T t_811 = b4s5n + b4s3n;
-  const T t_812 = b4s5n - b4s3n;
-  const T t_813 = b4s5s + b4s3s;
-  const T t_814 = b4s5s - b4s3s;
-  const T t_815 = k_31 * b4s1n + k_30 * t_811;
-  const T t_816 = k_29 * b4s1n - k_29 * t_812;
-  const T t_817 = b4s1n + t_812;
-  const T t_818 = k_30 * b4s1n - k_31 * t_811;
-  const T t_819 = k_31 * b4s1s + k_30 * t_813;
-  const T t_820 = k_29 * b4s1s - k_29 * t_814;
-  const T t_821 = b4s1s + t_814;
-  const T t_822 = k_30 * b4s1s - k_31 * t_813;
-  const T t_823 = t_733 * t_781 + t_755 * t_803;
-  const T t_824 = t_733 * t_803 + t_755 * t_781;
-  const T t_825 = t_735 * t_783 + t_747 * t_795 + t_756 * t_804 + t_767 * t_815;
-  const T t_826 = t_735 * t_795 + t_747 * t_783 + t_756 * t_815 + t_767 * t_804;
-  const T t_827 = t_735 * t_804 + t_747 * t_815 + t_756 * t_783 + t_767 * t_795;
-  const T t_828 = t_735 * t_815 + t_747 * t_804 + t_756 * t_795 + t_767 * t_783;
-  const T t_829 = t_737 * t_785 + t_744 * t_792 + t_757 * t_805 + t_768 * t_816;
-  const T t_830 = t_737 * t_792 + t_744 * t_785 + t_757 * t_816 + t_768 * t_805;
-  const T t_831 = t_737 * t_805 + t_744 * t_816 + t_757 * t_785 + t_768 * t_792;
-  const T t_832 = t_737 * t_816 + t_744 * t_805 + t_757 * t_792 + t_768 * t_785;
-  const T t_833 = t_736 * t_784 + t_748 * t_796 + t_758 * t_806 + t_770 * t_818;
-  const T t_834 = t_736 * t_796 + t_748 * t_784 + t_758 * t_818 + t_770 * t_806;
-  const T t_835 = t_736 * t_806 + t_748 * t_818 + t_758 * t_784 + t_770 * t_796;
-  const T t_836 = t_736 * t_818 + t_748 * t_806 + t_758 * t_796 + t_770 * t_784;
-  const T t_837 = t_734 * t_782 + t_769 * t_817;
-  const T t_838 = t_734 * t_817 + t_769 * t_782;
-  const T t_839 = t_738 * t_786 + t_759 * t_807;
-  const T t_840 = t_738 * t_807 + t_759 * t_786;
-  const T t_841 = t_740 * t_788 + t_749 * t_797 + t_760 * t_808 + t_771 * t_819;
-  const T t_842 = t_740 * t_797 + t_749 * t_788 + t_760 * t_819 + t_771 * t_808;
-  const T t_843 = t_740 * t_808 + t_749 * t_819 + t_760 * t_788 + t_771 * t_797;
-  const T t_844 = t_740 * t_819 + t_749 * t_808 + t_760 * t_797 + t_771 * t_788;
-  const T t_845 = t_742 * t_790 + t_746 * t_794 + t_761 * t_809 + t_772 * t_820;
-  const T t_846 = t_742 * t_794 + t_746 * t_790 + t_761 * t_820 + t_772 * t_809;
-  const T t_847 = t_742 * t_809 + t_746 * t_820 + t_761 * t_790 + t_772 * t_794;
-  const T t_848 = t_742 * t_820 + t_746 * t_809 + t_761 * t_794 + t_772 * t_790;
-  const T t_849 = t_741 * t_789 + t_750 * t_798 + t_762 * t_810 + t_774 * t_822;
-  const T t_850 = t_741 * t_798 + t_750 * t_789 + t_762 * t_822 + t_774 * t_810;
-  const T t_851 = t_741 * t_810 + t_750 * t_822 + t_762 * t_789 + t_774 * t_798;
-  const T t_852 = t_741 * t_822 + t_750 * t_810 + t_762 * t_798 + t_774 * t_789;
-  const T t_853 = t_739 * t_787 + t_773 * t_821;
-  const T t_854 = t_739 * t_821 + t_773 * t_787;
-  const T t_855 = k_32 * (t_841 - t_849);
-  const T t_856 = t_839 - t_853;
-  const T t_857 = k_33 * (t_853 + t_839);
-  const T t_858 = t_849 + t_845 + t_841 + t_857;
-  const T t_859 = t_857 - t_845;
-  const T t_860 = k_32 * (t_825 - t_833);
-  const T t_861 = t_823 - t_837;
-  const T t_862 = k_33 * (t_837 + t_823);
-  const T t_863 = t_833 + t_829 + t_825 + t_862;
-  const T t_864 = t_862 - t_829;
-  const T t_865 = t_856 + t_855;
-  const T t_866 = t_860 + t_861;
-  const T t_867 = t_842 - t_850;
-  const T t_868 = k_29 * (t_850 + t_842);
-  const T t_869 = t_826 - t_834;
-  const T t_870 = k_29 * (t_834 + t_826);
-  const T t_871 = t_846 + t_868;
-  const T t_872 = t_830 + t_870;
-  const T t_873 = k_31 * t_843 - k_30 * t_851;
-  const T t_874 = k_34 * t_851 + k_32 * t_847 + k_35 * t_843 + t_840;
-  const T t_875 = k_33 * t_840 - k_29 * t_847;
-  const T t_876 = k_31 * t_827 - k_30 * t_835;
-  const T t_877 = k_34 * t_835 + k_32 * t_831 + k_35 * t_827 + t_824;
-  const T t_878 = k_33 * t_824 - k_29 * t_831;
-  const T t_879 = t_876 + t_878;
-  const T t_880 = t_873 + t_875;
-  const T t_881 = k_33 * t_854 - k_29 * t_848;
-  const T t_882 = k_36 * t_854 + k_37 * t_852 + k_38 * t_848 + t_844;
-  const T t_883 = k_30 * t_844 - k_31 * t_852;
-  const T t_884 = k_33 * t_838 - k_29 * t_832;
-  const T t_885 = k_36 * t_838 + k_37 * t_836 + k_38 * t_832 + t_828;
-  const T t_886 = k_30 * t_828 - k_31 * t_836;
-  const T t_887 = t_886 - t_884;
-  const T t_888 = t_883 - t_881;
-  const T t_889 = t_878 - t_876 - (a4c5n * b4c6n - a4s5n * b4s6n + (a4c6n * b4c5n - a4s6n * b4s5n));
-  const T t_890 = t_884 + t_886 + (a4s5n * b4c6n + a4c5n * b4s6n + (a4s6n * b4c5n + a4c6n * b4s5n));
-  const T t_891 = t_875 - t_873 - (a4c5s * b4c6n - a4s5s * b4s6n + (a4c6n * b4c5s - a4s6n * b4s5s));
-  const T t_892 = t_881 + t_883 + (a4s5s * b4c6n + a4c5s * b4s6n + (a4s6n * b4c5s + a4c6n * b4s5s));
-  const T t_893 = t_869 + t_867 + k_39 * (a4s6n * b4c6n + a4c6n * b4s6n);
-  const T t_894 = t_887 + t_888;
-  const T t_895 = t_887 - t_888;
-  const T t_896 = t_872 + t_871;
-  const T t_897 = t_872 - t_871;
-  const T t_898 = t_885 + t_882;
-  const T t_899 = t_885 - t_882;
-  const T t_900 = t_863 + t_858;
-  const T t_901 = t_863 - t_858;
-  const T t_902 = t_877 + t_874;
-  const T t_903 = t_877 - t_874;
-  const T t_904 = t_866 + t_865;
-  const T t_905 = t_866 - t_865;
-  const T t_906 = t_879 + t_880;
-  const T t_907 = t_879 - t_880;
-  const T t_908 = t_864 + t_859 - k_39 * (a4c6n * b4c6n - a4s6n * b4s6n);
-  const T t_909 = t_704 + k_281 * a[6] + k_282 * a[20] + k_283 * a[42];
-  const T a6c0n = t_704 - k_306 * a[6] + k_307 * a[20] - k_308 * a[42];
-  const T t_910 = t_718 + k_281 * b[6] + k_282 * b[20] + k_283 * b[42];
-  const T b6c0n = t_718 - k_306 * b[6] + k_307 * b[20] - k_308 * b[42];
-  const T t_911 = (t_909 + t_707) * (t_910 + t_721);
-  const T t_912 = (t_909 - t_707) * (t_910 - t_721);
-  const T t_913 = t_911 + t_912;
-  const T t_914 = t_911 - t_912;
-  const T t_915 = a6c2n + a6c6n;
-  const T t_916 = k_29 * (a6c2n - a6c6n);
-  const T t_917 = a6c0n + a6c4n;
-  const T t_918 = t_917 + t_915;
-  const T t_919 = t_917 - t_915;
-  const T t_920 = a6c0n + t_916;
-  const T t_921 = a6c0n - t_916;
-  const T t_922 = a6c0n - a6c4n;
-  const T t_923 = k_29 * (a6s6n + a6s2n);
-  const T t_924 = a6s2n - a6s6n;
-  const T t_925 = a6s4n + t_923;
-  const T t_926 = t_923 - a6s4n;
-  const T t_927 = a6c3n - a6c5n;
-  const T t_928 = a6c3n + a6c5n;
-  const T t_929 = a6c1n + t_928;
-  const T t_930 = k_30 * a6c1n + k_31 * t_927;
-  const T t_931 = k_29 * a6c1n - k_29 * t_928;
-  const T t_932 = k_31 * a6c1n - k_30 * t_927;
-  const T t_933 = a6s5n + a6s3n;
-  const T t_934 = a6s5n - a6s3n;
-  const T t_935 = k_31 * a6s1n + k_30 * t_933;
-  const T t_936 = k_29 * a6s1n - k_29 * t_934;
-  const T t_937 = a6s1n + t_934;
-  const T t_938 = k_30 * a6s1n - k_31 * t_933;
-  const T t_939 = b6c2n + b6c6n;
-  const T t_940 = k_29 * (b6c2n - b6c6n);
-  const T t_941 = b6c0n + b6c4n;
-  const T t_942 = t_941 + t_939;
-  const T t_943 = t_941 - t_939;
-  const T t_944 = b6c0n + t_940;
-  const T t_945 = b6c0n - t_940;
-  const T t_946 = b6c0n - b6c4n;
-  const T t_947 = k_29 * (b6s6n + b6s2n);
-  const T t_948 = b6s2n - b6s6n;
-  const T t_949 = b6s4n + t_947;
-  const T t_950 = t_947 - b6s4n;
-  const T t_951 = b6c3n - b6c5n;
-  const T t_952 = b6c3n + b6c5n;
-  const T t_953 = b6c1n + t_952;
-  const T t_954 = k_30 * b6c1n + k_31 * t_951;
-  const T t_955 = k_29 * b6c1n - k_29 * t_952;
-  const T t_956 = k_31 * b6c1n - k_30 * t_951;
-  const T t_957 = b6s5n + b6s3n;
-  const T t_958 = b6s5n - b6s3n;
-  const T t_959 = k_31 * b6s1n + k_30 * t_957;
-  const T t_960 = k_29 * b6s1n - k_29 * t_958;
-  const T t_961 = b6s1n + t_958;
-  const T t_962 = k_30 * b6s1n - k_31 * t_957;
-  const T t_963 = t_918 * t_942 + t_929 * t_953;
-  const T t_964 = t_918 * t_953 + t_929 * t_942;
-  const T t_965 = t_920 * t_944 + t_925 * t_949 + t_930 * t_954 + t_935 * t_959;
-  const T t_966 = t_920 * t_949 + t_925 * t_944 + t_930 * t_959 + t_935 * t_954;
-  const T t_967 = t_920 * t_954 + t_925 * t_959 + t_930 * t_944 + t_935 * t_949;
-  const T t_968 = t_920 * t_959 + t_925 * t_954 + t_930 * t_949 + t_935 * t_944;
-  const T t_969 = t_922 * t_946 + t_924 * t_948 + t_931 * t_955 + t_936 * t_960;
-  const T t_970 = t_922 * t_948 + t_924 * t_946 + t_931 * t_960 + t_936 * t_955;
-  const T t_971 = t_922 * t_955 + t_924 * t_960 + t_931 * t_946 + t_936 * t_948;
-  const T t_972 = t_922 * t_960 + t_924 * t_955 + t_931 * t_948 + t_936 * t_946;
-  const T t_973 = t_921 * t_945 + t_926 * t_950 + t_932 * t_956 + t_938 * t_962;
-  const T t_974 = t_921 * t_950 + t_926 * t_945 + t_932 * t_962 + t_938 * t_956;
-  const T t_975 = t_921 * t_956 + t_926 * t_962 + t_932 * t_945 + t_938 * t_950;
-  const T t_976 = t_921 * t_962 + t_926 * t_956 + t_932 * t_950 + t_938 * t_945;
-  const T t_977 = t_919 * t_943 + t_937 * t_961;
-  const T t_978 = t_919 * t_961 + t_937 * t_943;
-  const T t_979 = k_29 * (t_965 - t_973);
-  const T t_980 = k_33 * (t_963 - t_977);
-  const T t_981 = k_33 * (t_977 + t_963);
-  const T t_982 = t_973 + t_969 + t_965 + t_981;
-  const T t_983 = t_979 + t_980;
-  const T t_984 = k_29 * (t_974 + t_966);
-  const T t_985 = t_970 + t_984;
-  const T t_986 = k_31 * t_967 - k_30 * t_975;
-  const T t_987 = k_34 * t_975 + k_32 * t_971 + k_35 * t_967 + t_964;
-  const T t_988 = k_33 * t_964 - k_29 * t_971;
-  const T t_989 = t_986 + t_988;
-  const T t_990 = k_33 * t_978 - k_29 * t_972;
-  const T t_991 = k_36 * t_978 + k_37 * t_976 + k_38 * t_972 + t_968;
-  const T t_992 = k_30 * t_968 - k_31 * t_976;
-  const T t_993 = t_992 - t_990;
-  const T t_994 = t_981 - t_969 - (a6c6n * b6c6n - a6s6n * b6s6n);
-  const T t_995 = t_966 - t_974 + (a6s6n * b6c6n + a6c6n * b6s6n);
-  return (k_61 * t_218 + k_128 * t_444 + k_195 * t_690 + k_262 * t_900 + k_287 * t_913 + k_321 * t_982) * c[0]
-      + ((k_55 * t_216 + k_122 * t_442 + k_189 * t_688 + k_256 * t_898 + k_318 * t_991) * c[1] + (k_62 * t_219
-      + k_129 * t_445 + k_196 * t_691 + k_263 * t_901 + k_288 * t_914) * c[2]) + ((k_68 * t_220 + k_135 * t_446
-      + k_202 * t_692 + k_269 * t_902 + k_325 * t_987) * c[3] + ((k_50 * t_214 + k_117 * t_440 + k_184 * t_686
-      + k_251 * t_896 + k_315 * t_985) * c[4] + (k_56 * t_217 + k_123 * t_443 + k_190 * t_689
-      + k_257 * t_899) * c[5])) + ((k_63 * t_218 + k_130 * t_444 - k_197 * t_690 - k_264 * t_900 + k_289 * t_913
-      - k_322 * t_982) * c[6] + ((k_69 * t_221 + k_136 * t_447 + k_203 * t_693 + k_270 * t_903) * c[7] + (k_74 * t_222
-      + k_141 * t_448 + k_208 * t_694 + k_275 * t_904 + k_315 * t_983) * c[8]) + ((k_46 * t_212 + k_113 * t_438
-      + k_180 * t_684 + k_247 * t_894 + k_313 * t_993) * c[9] + ((k_51 * t_215 + k_118 * t_441 + k_185 * t_687
-      + k_252 * t_897) * c[10] + (k_57 * t_216 + k_124 * t_442 + k_191 * t_688 - k_258 * t_898
-      - k_319 * t_991) * c[11]))) + ((k_64 * t_219 + k_131 * t_445 - k_198 * t_691 - k_265 * t_901
-      + k_290 * t_914) * c[12] + ((k_70 * t_220 + k_137 * t_446 + k_204 * t_692 - k_271 * t_902
-      - k_326 * t_987) * c[13] + (k_75 * t_223 + k_142 * t_449 + k_209 * t_695 + k_276 * t_905) * c[14])
-      + ((k_46 * t_224 + k_113 * t_450 + k_180 * t_696 + k_247 * t_906 + k_313 * t_989) * c[15] + ((k_43 * t_211
-      + k_110 * t_437 + k_177 * t_683 + k_244 * t_893 + k_311 * t_995) * c[16] + (k_47 * t_213 + k_114 * t_439
-      + k_181 * t_685 + k_248 * t_895) * c[17])) + ((k_52 * t_214 + k_119 * t_440 + k_186 * t_686 - k_253 * t_896
-      - k_316 * t_985) * c[18] + ((k_58 * t_217 + k_125 * t_443 - k_192 * t_689 - k_259 * t_899) * c[19]
-      + (k_65 * t_218 - k_132 * t_444 - k_199 * t_690 + k_266 * t_900 + k_291 * t_913 + k_323 * t_982) * c[20])
-      + ((k_71 * t_221 + k_138 * t_447 - k_205 * t_693 - k_272 * t_903) * c[21] + ((k_76 * t_222 + k_143 * t_448
-      + k_210 * t_694 - k_277 * t_904 - k_316 * t_983) * c[22] + (k_47 * t_225 + k_114 * t_451 + k_181 * t_697
-      + k_248 * t_907) * c[23])))) + ((k_43 * t_226 + k_110 * t_452 + k_177 * t_698 + k_244 * t_908
-      + k_311 * t_994) * c[24] + ((k_41 * (t_208 + t_210) + k_108 * (t_434 + t_436) + k_175 * (t_680 + t_682)
-      + k_242 * (t_890 + t_892) + k_310 * (t_990 + t_992 + (a6s5n * b6c6n + a6c5n * b6s6n + (a6s6n * b6c5n
-      + a6c6n * b6s5n)))) * c[25] + (k_44 * (t_187 - t_185) + k_111 * (t_413 - t_411) + k_178 * (t_659 - t_657)
-      + k_245 * (t_869 - t_867)) * c[26]) + ((k_48 * t_212 + k_115 * t_438 + k_182 * t_684 - k_249 * t_894
-      - k_314 * t_993) * c[27] + ((k_53 * t_215 + k_120 * t_441 - k_187 * t_687 - k_254 * t_897) * c[28]
-      + (k_59 * t_216 + k_126 * t_442 - k_193 * t_688 - k_260 * t_898 + k_320 * t_991) * c[29])) + ((k_66 * t_219
-      - k_133 * t_445 - k_200 * t_691 + k_267 * t_901 + k_292 * t_914) * c[30] + ((k_72 * t_220 + k_139 * t_446
-      - k_206 * t_692 - k_273 * t_902 + k_327 * t_987) * c[31] + (k_77 * t_223 + k_144 * t_449 - k_211 * t_695
-      - k_278 * t_905) * c[32]) + ((k_48 * t_224 + k_115 * t_450 + k_182 * t_696 - k_249 * t_906
-      - k_314 * t_989) * c[33] + ((k_44 * (t_182 - t_177) + k_111 * (t_408 - t_403) + k_178 * (t_654 - t_649)
-      + k_245 * (t_864 - t_859)) * c[34] + (k_41 * (t_207 + t_209) + k_108 * (t_433 + t_435) + k_175 * (t_679 + t_681)
-      + k_242 * (t_889 + t_891) + k_310 * (t_988 - t_986 - (a6c5n * b6c6n - a6s5n * b6s6n + (a6c6n * b6c5n
-      - a6s6n * b6s5n)))) * c[35]))) + ((k_40 * (t_186 - t_164 - t_148 + t_188 + (a1s4n * b1c6n + a1c4n * b1s6n
-      + (a1s5n * b1c5n + a1c5n * b1s5n) + (a1s6n * b1c4n + a1c6n * b1s4n)) + (a1s4s * b1c6n + a1c4s * b1s6n
-      + (a1s5s * b1c5s + a1c5s * b1s5s) + (a1s6n * b1c4s + a1c6n * b1s4s))) + k_107 * (t_412 - t_390 - t_374 + t_414
-      + (a2s4n * b2c6n + a2c4n * b2s6n + (a2s5n * b2c5n + a2c5n * b2s5n) + (a2s6n * b2c4n + a2c6n * b2s4n))
-      + (a2s4s * b2c6n + a2c4s * b2s6n + (a2s5s * b2c5s + a2c5s * b2s5s) + (a2s6n * b2c4s + a2c6n * b2s4s)))
-      + k_174 * (t_658 - t_636 - t_620 + t_660 + (a3s4n * b3c6n + a3c4n * b3s6n + (a3s5n * b3c5n + a3c5n * b3s5n)
-      + (a3s6n * b3c4n + a3c6n * b3s4n)) + (a3s4s * b3c6n + a3c4s * b3s6n + (a3s5s * b3c5s + a3c5s * b3s5s)
-      + (a3s6n * b3c4s + a3c6n * b3s4s))) + k_241 * (t_868 - t_846 - t_830 + t_870 + (a4s4n * b4c6n + a4c4n * b4s6n
-      + (a4s5n * b4c5n + a4c5n * b4s5n) + (a4s6n * b4c4n + a4c6n * b4s4n)) + (a4s4s * b4c6n + a4c4s * b4s6n
-      + (a4s5s * b4c5s + a4c5s * b4s5s) + (a4s6n * b4c4s + a4c6n * b4s4s))) + k_309 * (t_984 - t_970 + (a6s4n * b6c6n
-      + a6c4n * b6s6n + (a6s5n * b6c5n + a6c5n * b6s5n) + (a6s6n * b6c4n + a6c6n * b6s4n)))) * c[36] + ((k_42 * (t_208
-      - t_210) + k_109 * (t_434 - t_436) + k_176 * (t_680 - t_682) + k_243 * (t_890 - t_892)) * c[37] + (k_45 * t_211
-      + k_112 * t_437 + k_179 * t_683 - k_246 * t_893 - k_312 * t_995) * c[38]) + ((k_49 * t_213 + k_116 * t_439
-      + k_183 * t_685 - k_250 * t_895) * c[39] + ((k_54 * t_214 + k_121 * t_440 - k_188 * t_686 - k_255 * t_896
-      + k_317 * t_985) * c[40] + (k_60 * t_217 - k_127 * t_443 - k_194 * t_689 + k_261 * t_899) * c[41]))
-      + ((k_67 * t_218 - k_134 * t_444 + k_201 * t_690 + k_268 * t_900 + k_293 * t_913 - k_324 * t_982) * c[42]
-      + ((k_73 * t_221 - k_140 * t_447 - k_207 * t_693 + k_274 * t_903) * c[43] + (k_78 * t_222 + k_145 * t_448
-      - k_212 * t_694 - k_279 * t_904 + k_317 * t_983) * c[44]) + ((k_49 * t_225 + k_116 * t_451 + k_183 * t_697
-      - k_250 * t_907) * c[45] + (k_45 * t_226 + k_112 * t_452 + k_179 * t_698 - k_246 * t_908
-      - k_312 * t_994) * c[46] + ((k_42 * (t_207 - t_209) + k_109 * (t_433 - t_435) + k_176 * (t_679 - t_681)
-      + k_243 * (t_889 - t_891)) * c[47] + (k_40 * (k_33 * (t_174 - t_173 - t_178 + t_179) - (a1c4n * b1c6n
-      - a1s4n * b1s6n + (a1c5n * b1c5n - a1s5n * b1s5n) + (a1c6n * b1c4n - a1s6n * b1s4n)) - (a1c4s * b1c6n
-      - a1s4s * b1s6n + (a1c5s * b1c5s - a1s5s * b1s5s) + (a1c6n * b1c4s - a1s6n * b1s4s))) + k_107 * (k_33 * (t_400
-      - t_399 - t_404 + t_405) - (a2c4n * b2c6n - a2s4n * b2s6n + (a2c5n * b2c5n - a2s5n * b2s5n) + (a2c6n * b2c4n
-      - a2s6n * b2s4n)) - (a2c4s * b2c6n - a2s4s * b2s6n + (a2c5s * b2c5s - a2s5s * b2s5s) + (a2c6n * b2c4s
-      - a2s6n * b2s4s))) + k_174 * (k_33 * (t_646 - t_645 - t_650 + t_651) - (a3c4n * b3c6n - a3s4n * b3s6n
-      + (a3c5n * b3c5n - a3s5n * b3s5n) + (a3c6n * b3c4n - a3s6n * b3s4n)) - (a3c4s * b3c6n - a3s4s * b3s6n
-      + (a3c5s * b3c5s - a3s5s * b3s5s) + (a3c6n * b3c4s - a3s6n * b3s4s))) + k_241 * (k_33 * (t_856 - t_855 - t_860
-      + t_861) - (a4c4n * b4c6n - a4s4n * b4s6n + (a4c5n * b4c5n - a4s5n * b4s5n) + (a4c6n * b4c4n - a4s6n * b4s4n))
-      - (a4c4s * b4c6n - a4s4s * b4s6n + (a4c5s * b4c5s - a4s5s * b4s5s) + (a4c6n * b4c4s - a4s6n * b4s4s)))
-      + k_309 * (t_980 - t_979 - (a6c4n * b6c6n - a6s4n * b6s6n + (a6c5n * b6c5n - a6s5n * b6s5n) + (a6c6n * b6c4n
-      - a6s6n * b6s4n)))) * c[48])))));  // integral of a b c
+  const T a6s6n = k_26 * a[36];
+  const T a6s5n = k_27 * a[25];
+  const T a6s4n = k_28 * a[16] - k_29 * a[38];
+  const T a6s3n = k_30 * a[9] - k_31 * a[27];
+  const T a6s2n = k_32 * a[4] - k_33 * a[18] + k_34 * a[40];
+  const T a6s1n = k_35 * a[1] - k_36 * a[11] + k_37 * a[29];
+  const T t = k_12 * a[0];
+  const T t_2 = k_18 * (k_16 * a[2] + k_17 * a[12] + a[30]);
+  const T a6c1n = k_35 * a[3] - k_36 * a[13] + k_37 * a[31];
+  const T a6c2n = k_32 * a[8] - k_33 * a[22] + k_34 * a[44];
+  const T a6c3n = k_30 * a[15] - k_31 * a[33];
+  const T a6c4n = k_28 * a[24] - k_29 * a[46];
+  const T a6c5n = k_27 * a[35];
+  const T a6c6n = k_26 * a[48];
+  const T b6s6n = k_26 * b[36];
+  const T b6s5n = k_27 * b[25];
+  const T b6s4n = k_28 * b[16] - k_29 * b[38];
+  const T b6s3n = k_30 * b[9] - k_31 * b[27];
+  const T b6s2n = k_32 * b[4] - k_33 * b[18] + k_34 * b[40];
+  const T b6s1n = k_35 * b[1] - k_36 * b[11] + k_37 * b[29];
+  const T t_3 = k_12 * b[0];
+  const T t_4 = k_18 * (k_16 * b[2] + k_17 * b[12] + b[30]);
+  const T b6c1n = k_35 * b[3] - k_36 * b[13] + k_37 * b[31];
+  const T b6c2n = k_32 * b[8] - k_33 * b[22] + k_34 * b[44];
+  const T b6c3n = k_30 * b[15] - k_31 * b[33];
+  const T b6c4n = k_28 * b[24] - k_29 * b[46];
+  const T b6c5n = k_27 * b[35];
+  const T b6c6n = k_26 * b[48];
+  const T t_5 = t + k_13 * a[6] + k_14 * a[20] + k_15 * a[42];
+  const T a6c0n = t - k_38 * a[6] + k_39 * a[20] - k_40 * a[42];
+  const T t_6 = t_3 + k_13 * b[6] + k_14 * b[20] + k_15 * b[42];
+  const T b6c0n = t_3 - k_38 * b[6] + k_39 * b[20] - k_40 * b[42];
+  const T t_7 = (t_5 + t_2) * (t_6 + t_4);
+  const T t_8 = (t_5 - t_2) * (t_6 - t_4);
+  const T t_9 = t_7 + t_8;
+  const T t_10 = t_7 - t_8;
+  const T t_11 = k_19 * t_9;
+  const T t_12 = k_20 * t_10;
+  const T t_13 = k_21 * t_9;
+  const T t_14 = k_22 * t_10;
+  const T t_15 = k_24 * t_10;
+  const T t_16 = k_23 * t_9;
+  const T t_17 = k_25 * t_9;
+  const T t_18 = a6c2n + a6c6n;
+  const T t_19 = k * (a6c2n - a6c6n);
+  const T t_20 = a6c0n + a6c4n;
+  const T t_21 = t_20 + t_18;
+  const T t_22 = t_20 - t_18;
+  const T t_23 = a6c0n + t_19;
+  const T t_24 = a6c0n - t_19;
+  const T t_25 = a6c0n - a6c4n;
+  const T t_26 = k * (a6s6n + a6s2n);
+  const T t_27 = a6s2n - a6s6n;
+  const T t_28 = a6s4n + t_26;
+  const T t_29 = t_26 - a6s4n;
+  const T t_30 = a6c3n - a6c5n;
+  const T t_31 = a6c3n + a6c5n;
+  const T t_32 = a6c1n + t_31;
+  const T t_33 = k_2 * a6c1n + k_3 * t_30;
+  const T t_34 = k * a6c1n - k * t_31;
+  const T t_35 = k_3 * a6c1n - k_2 * t_30;
+  const T t_36 = a6s5n + a6s3n;
+  const T t_37 = a6s5n - a6s3n;
+  const T t_38 = k_3 * a6s1n + k_2 * t_36;
+  const T t_39 = k * a6s1n - k * t_37;
+  const T t_40 = a6s1n + t_37;
+  const T t_41 = k_2 * a6s1n - k_3 * t_36;
+  const T t_42 = b6c2n + b6c6n;
+  const T t_43 = k * (b6c2n - b6c6n);
+  const T t_44 = b6c0n + b6c4n;
+  const T t_45 = t_44 + t_42;
+  const T t_46 = t_44 - t_42;
+  const T t_47 = b6c0n + t_43;
+  const T t_48 = b6c0n - t_43;
+  const T t_49 = b6c0n - b6c4n;
+  const T t_50 = k * (b6s6n + b6s2n);
+  const T t_51 = b6s2n - b6s6n;
+  const T t_52 = b6s4n + t_50;
+  const T t_53 = t_50 - b6s4n;
+  const T t_54 = b6c3n - b6c5n;
+  const T t_55 = b6c3n + b6c5n;
+  const T t_56 = b6c1n + t_55;
+  const T t_57 = k_2 * b6c1n + k_3 * t_54;
+  const T t_58 = k * b6c1n - k * t_55;
+  const T t_59 = k_3 * b6c1n - k_2 * t_54;
+  const T t_60 = b6s5n + b6s3n;
+  const T t_61 = b6s5n - b6s3n;
+  const T t_62 = k_3 * b6s1n + k_2 * t_60;
+  const T t_63 = k * b6s1n - k * t_61;
+  const T t_64 = b6s1n + t_61;
+  const T t_65 = k_2 * b6s1n - k_3 * t_60;
+  const T t_66 = t_21 * t_45 + t_32 * t_56;
+  const T t_67 = t_21 * t_56 + t_32 * t_45;
+  const T t_68 = t_23 * t_47 + t_28 * t_52 + t_33 * t_57 + t_38 * t_62;
+  const T t_69 = t_23 * t_52 + t_28 * t_47 + t_33 * t_62 + t_38 * t_57;
+  const T t_70 = t_23 * t_57 + t_28 * t_62 + t_33 * t_47 + t_38 * t_52;
+  const T t_71 = t_23 * t_62 + t_28 * t_57 + t_33 * t_52 + t_38 * t_47;
+  const T t_72 = t_25 * t_49 + t_27 * t_51 + t_34 * t_58 + t_39 * t_63;
+  const T t_73 = t_25 * t_51 + t_27 * t_49 + t_34 * t_63 + t_39 * t_58;
+  const T t_74 = t_25 * t_58 + t_27 * t_63 + t_34 * t_49 + t_39 * t_51;
+  const T t_75 = t_25 * t_63 + t_27 * t_58 + t_34 * t_51 + t_39 * t_49;
+  const T t_76 = t_24 * t_48 + t_29 * t_53 + t_35 * t_59 + t_41 * t_65;
+  const T t_77 = t_24 * t_53 + t_29 * t_48 + t_35 * t_65 + t_41 * t_59;
+  const T t_78 = t_24 * t_59 + t_29 * t_65 + t_35 * t_48 + t_41 * t_53;
+  const T t_79 = t_24 * t_65 + t_29 * t_59 + t_35 * t_53 + t_41 * t_48;
+  const T t_80 = t_22 * t_46 + t_40 * t_64;
+  const T t_81 = t_22 * t_64 + t_40 * t_46;
+  const T t_82 = k * (t_68 - t_76);
+  const T t_83 = k_5 * (t_66 - t_80);
+  const T t_84 = k_5 * (t_80 + t_66);
+  const T t_85 = t_76 + t_72 + t_68 + t_84;
+  const T t_86 = t_82 + t_83;
+  const T t_87 = k * (t_77 + t_69);
+  const T t_88 = t_73 + t_87;
+  const T t_89 = k_3 * t_70 - k_2 * t_78;
+  const T t_90 = k_6 * t_78 + k_4 * t_74 + k_7 * t_70 + t_67;
+  const T t_91 = k_5 * t_67 - k * t_74;
+  const T t_92 = t_89 + t_91;
+  const T t_93 = k_5 * t_81 - k * t_75;
+  const T t_94 = k_8 * t_81 + k_9 * t_79 + k_10 * t_75 + t_71;
+  const T t_95 = k_2 * t_71 - k_3 * t_79;
+  const T t_96 = t_95 - t_93;
+  const T t_97 = t_84 - t_72 - (a6c6n * b6c6n - a6s6n * b6s6n);
+  const T t_98 = t_69 - t_77 + (a6s6n * b6c6n + a6c6n * b6s6n);
+  const T t_99 = k_42 * (t_91 - t_89 - (a6c5n * b6c6n - a6s5n * b6s6n + (a6c6n * b6c5n - a6s6n * b6s5n)));
+  const T t_100 = k_42 * (t_93 + t_95 + (a6s5n * b6c6n + a6c5n * b6s6n + (a6s6n * b6c5n + a6c6n * b6s5n)));
+  const T t_101 = k_41 * (t_87 - t_73 + (a6s4n * b6c6n + a6c4n * b6s6n + (a6s5n * b6c5n + a6c5n * b6s5n)
+      + (a6s6n * b6c4n + a6c6n * b6s4n)));
+  const T t_102 = k_41 * (t_83 - t_82 - (a6c4n * b6c6n - a6s4n * b6s6n + (a6c5n * b6c5n - a6s5n * b6s5n)
+      + (a6c6n * b6c4n - a6s6n * b6s4n)));
+  const T t_103 = k_43 * t_98;
+  const T t_104 = k_44 * t_98;
+  const T t_105 = k_45 * t_96;
+  const T t_106 = k_46 * t_96;
+  const T t_107 = k_47 * t_88;
+  const T t_108 = k_48 * t_88;
+  const T t_109 = k_49 * t_88;
+  const T t_110 = k_50 * t_94;
+  const T t_111 = k_51 * t_94;
+  const T t_112 = k_52 * t_94;
+  const T t_113 = k_53 * t_85;
+  const T t_114 = k_54 * t_85;
+  const T t_115 = k_55 * t_85;
+  const T t_116 = k_56 * t_85;
+  const T t_117 = k_57 * t_90;
+  const T t_118 = k_58 * t_90;
+  const T t_119 = k_59 * t_90;
+  const T t_120 = k_47 * t_86;
+  const T t_121 = k_48 * t_86;
+  const T t_122 = k_49 * t_86;
+  const T t_123 = k_45 * t_92;
+  const T t_124 = k_46 * t_92;
+  const T t_125 = k_43 * t_97;
+  const T t_126 = k_44 * t_97;
+  T sum = detail::constant<T>(0.0f, 0.0);
+  T sum_2 = detail::constant<T>(0.0f, 0.0);
+  T sum_3 = detail::constant<T>(0.0f, 0.0);
+  T sum_4 = detail::constant<T>(0.0f, 0.0);
+  T sum_5 = detail::constant<T>(0.0f, 0.0);
+  T sum_6 = detail::constant<T>(0.0f, 0.0);
+  T sum_7 = detail::constant<T>(0.0f, 0.0);
+  T sum_8 = detail::constant<T>(0.0f, 0.0);
+  T sum_9 = detail::constant<T>(0.0f, 0.0);
+  T sum_10 = detail::constant<T>(0.0f, 0.0);
+  T sum_11 = detail::constant<T>(0.0f, 0.0);
+  T sum_12 = detail::constant<T>(0.0f, 0.0);
+  T sum_13 = detail::constant<T>(0.0f, 0.0);
+  T sum_14 = detail::constant<T>(0.0f, 0.0);
+  T sum_15 = detail::constant<T>(0.0f, 0.0);
+  T sum_16 = detail::constant<T>(0.0f, 0.0);
+  T sum_17 = detail::constant<T>(0.0f, 0.0);
+  T sum_18 = detail::constant<T>(0.0f, 0.0);
+  T sum_19 = detail::constant<T>(0.0f, 0.0);
+  T sum_20 = detail::constant<T>(0.0f, 0.0);
+  T sum_21 = detail::constant<T>(0.0f, 0.0);
+  T sum_22 = detail::constant<T>(0.0f, 0.0);
+  T sum_23 = detail::constant<T>(0.0f, 0.0);
+  T sum_24 = detail::constant<T>(0.0f, 0.0);
+  T sum_25 = detail::constant<T>(0.0f, 0.0);
+  T sum_26 = detail::constant<T>(0.0f, 0.0);
+  T sum_27 = detail::constant<T>(0.0f, 0.0);
+  T sum_28 = detail::constant<T>(0.0f, 0.0);
+  T sum_29 = detail::constant<T>(0.0f, 0.0);
+  T sum_30 = detail::constant<T>(0.0f, 0.0);
+  T sum_31 = detail::constant<T>(0.0f, 0.0);
+  T sum_32 = detail::constant<T>(0.0f, 0.0);
+  T sum_33 = detail::constant<T>(0.0f, 0.0);
+  T sum_34 = detail::constant<T>(0.0f, 0.0);
+  T sum_35 = detail::constant<T>(0.0f, 0.0);
+  T sum_36 = detail::constant<T>(0.0f, 0.0);
+  T sum_37 = detail::constant<T>(0.0f, 0.0);
+  T sum_38 = detail::constant<T>(0.0f, 0.0);
+  T sum_39 = detail::constant<T>(0.0f, 0.0);
+  T sum_40 = detail::constant<T>(0.0f, 0.0);
+  T sum_41 = detail::constant<T>(0.0f, 0.0);
+  T sum_42 = detail::constant<T>(0.0f, 0.0);
+  T sum_43 = detail::constant<T>(0.0f, 0.0);
+  T sum_44 = detail::constant<T>(0.0f, 0.0);
+  T sum_45 = detail::constant<T>(0.0f, 0.0);
+  T sum_46 = detail::constant<T>(0.0f, 0.0);
+  T sum_47 = detail::constant<T>(0.0f, 0.0);
+  T sum_48 = detail::constant<T>(0.0f, 0.0);
+  T sum_49 = detail::constant<T>(0.0f, 0.0);
+  for (int row = 0; row < 4; ++row) {
+    int at = 67 * row;
+    const T t_127 = T(table[at+2]) * a[37];
+    const T t_128 = T(table[at+5]) * a[26];
+    const T t_129 = T(table[at+9]) * (T(table[at+8]) * a[17] + a[39]);
+    const T t_130 = T(table[at+14]) * (a[10] + T(table[at+13]) * a[28]);
+    const T t_131 = T(table[at+20]) * (a[5] + T(table[at+18]) * a[19] + T(table[at+19]) * a[41]);
+    const T t_132 = T(table[at+20]) * (a[7] + T(table[at+18]) * a[21] + T(table[at+19]) * a[43]);
+    const T t_133 = T(table[at+14]) * (a[14] + T(table[at+13]) * a[32]);
+    const T t_134 = T(table[at+9]) * (T(table[at+8]) * a[23] + a[45]);
+    const T t_135 = T(table[at+5]) * a[34];
+    const T t_136 = T(table[at+2]) * a[47];
+    const T t_137 = T(table[at+2]) * b[37];
+    const T t_138 = T(table[at+5]) * b[26];
+    const T t_139 = T(table[at+9]) * (T(table[at+8]) * b[17] + b[39]);
+    const T t_140 = T(table[at+14]) * (b[10] + T(table[at+13]) * b[28]);
+    const T t_141 = T(table[at+20]) * (b[5] + T(table[at+18]) * b[19] + T(table[at+19]) * b[41]);
+    const T t_142 = T(table[at+20]) * (b[7] + T(table[at+18]) * b[21] + T(table[at+19]) * b[43]);
+    const T t_143 = T(table[at+14]) * (b[14] + T(table[at+13]) * b[32]);
+    const T t_144 = T(table[at+9]) * (T(table[at+8]) * b[23] + b[45]);
+    const T t_145 = T(table[at+5]) * b[34];
+    const T t_146 = T(table[at+2]) * b[47];
+    const T a1s6n = T(table[at+0]) * a[36];
+    const T t_147 = T(table[at+1]) * a[25];
+    const T a1s5n = t_147 + t_127;
+    const T a1s5s = t_147 - t_127;
+    const T t_148 = T(table[at+3]) * a[16] + T(table[at+4]) * a[38];
+    const T a1s4n = t_148 + t_128;
+    const T a1s4s = t_148 - t_128;
+    const T t_149 = T(table[at+6]) * a[9] + T(table[at+7]) * a[27];
+    const T a1s3n = t_149 + t_129;
+    const T a1s3s = t_149 - t_129;
+    const T t_150 = T(table[at+10]) * a[4] + T(table[at+11]) * a[18] + T(table[at+12]) * a[40];
+    const T a1s2n = t_150 + t_130;
+    const T a1s2s = t_150 - t_130;
+    const T t_151 = T(table[at+15]) * a[1] + T(table[at+16]) * a[11] + T(table[at+17]) * a[29];
+    const T a1s1n = t_151 + t_131;
+    const T a1s1s = t_151 - t_131;
+    const T t_152 = T(table[at+21]) * a[0] + T(table[at+22]) * a[6] + T(table[at+23]) * a[20]
+        + T(table[at+24]) * a[42];
+    const T t_153 = T(table[at+27]) * (a[2] + T(table[at+25]) * a[12] + T(table[at+26]) * a[30]);
+    const T a1c0n = t_152 + t_153;
+    const T a1c0s = t_152 - t_153;
+    const T t_154 = T(table[at+15]) * a[3] + T(table[at+16]) * a[13] + T(table[at+17]) * a[31];
+    const T a1c1n = t_154 + t_132;
+    const T a1c1s = t_154 - t_132;
+    const T t_155 = T(table[at+10]) * a[8] + T(table[at+11]) * a[22] + T(table[at+12]) * a[44];
+    const T a1c2n = t_155 + t_133;
+    const T a1c2s = t_155 - t_133;
+    const T t_156 = T(table[at+6]) * a[15] + T(table[at+7]) * a[33];
+    const T a1c3n = t_156 + t_134;
+    const T a1c3s = t_156 - t_134;
+    const T t_157 = T(table[at+3]) * a[24] + T(table[at+4]) * a[46];
+    const T a1c4n = t_157 + t_135;
+    const T a1c4s = t_157 - t_135;
+    const T t_158 = T(table[at+1]) * a[35];
+    const T a1c5n = t_158 + t_136;
+    const T a1c5s = t_158 - t_136;
+    const T a1c6n = T(table[at+0]) * a[48];
+    const T b1s6n = T(table[at+0]) * b[36];
+    const T t_159 = T(table[at+1]) * b[25];
+    const T b1s5n = t_159 + t_137;
+    const T b1s5s = t_159 - t_137;
+    const T t_160 = T(table[at+3]) * b[16] + T(table[at+4]) * b[38];
+    const T b1s4n = t_160 + t_138;
+    const T b1s4s = t_160 - t_138;
+    const T t_161 = T(table[at+6]) * b[9] + T(table[at+7]) * b[27];
+    const T b1s3n = t_161 + t_139;
+    const T b1s3s = t_161 - t_139;
+    const T t_162 = T(table[at+10]) * b[4] + T(table[at+11]) * b[18] + T(table[at+12]) * b[40];
+    const T b1s2n = t_162 + t_140;
+    const T b1s2s = t_162 - t_140;
+    const T t_163 = T(table[at+15]) * b[1] + T(table[at+16]) * b[11] + T(table[at+17]) * b[29];
+    const T b1s1n = t_163 + t_141;
+    const T b1s1s = t_163 - t_141;
+    const T t_164 = T(table[at+21]) * b[0] + T(table[at+22]) * b[6] + T(table[at+23]) * b[20]
+        + T(table[at+24]) * b[42];
+    const T t_165 = T(table[at+27]) * (b[2] + T(table[at+25]) * b[12] + T(table[at+26]) * b[30]);
+    const T b1c0n = t_164 + t_165;
+    const T b1c0s = t_164 - t_165;
+    const T t_166 = T(table[at+15]) * b[3] + T(table[at+16]) * b[13] + T(table[at+17]) * b[31];
+    const T b1c1n = t_166 + t_142;
+    const T b1c1s = t_166 - t_142;
+    const T t_167 = T(table[at+10]) * b[8] + T(table[at+11]) * b[22] + T(table[at+12]) * b[44];
+    const T b1c2n = t_167 + t_143;
+    const T b1c2s = t_167 - t_143;
+    const T t_168 = T(table[at+6]) * b[15] + T(table[at+7]) * b[33];
+    const T b1c3n = t_168 + t_144;
+    const T b1c3s = t_168 - t_144;
+    const T t_169 = T(table[at+3]) * b[24] + T(table[at+4]) * b[46];
+    const T b1c4n = t_169 + t_145;
+    const T b1c4s = t_169 - t_145;
+    const T t_170 = T(table[at+1]) * b[35];
+    const T b1c5n = t_170 + t_146;
+    const T b1c5s = t_170 - t_146;
+    const T b1c6n = T(table[at+0]) * b[48];
+    const T t_171 = a1c0n + a1c4n;
+    const T t_172 = a1c0s + a1c4s;
+    const T t_173 = a1c2n + a1c6n;
+    const T t_174 = k * (a1c2n - a1c6n);
+    const T t_175 = a1c2s + a1c6n;
+    const T t_176 = k * (a1c2s - a1c6n);
+    const T t_177 = t_171 + t_173;
+    const T t_178 = t_171 - t_173;
+    const T t_179 = a1c0n + t_174;
+    const T t_180 = a1c0n - t_174;
+    const T t_181 = a1c0n - a1c4n;
+    const T t_182 = t_172 + t_175;
+    const T t_183 = t_172 - t_175;
+    const T t_184 = a1c0s + t_176;
+    const T t_185 = a1c0s - t_176;
+    const T t_186 = a1c0s - a1c4s;
+    const T t_187 = k * (a1s6n + a1s2n);
+    const T t_188 = a1s2n - a1s6n;
+    const T t_189 = k * (a1s6n + a1s2s);
+    const T t_190 = a1s2s - a1s6n;
+    const T t_191 = a1s4n + t_187;
+    const T t_192 = t_187 - a1s4n;
+    const T t_193 = a1s4s + t_189;
+    const T t_194 = t_189 - a1s4s;
+    const T t_195 = a1c3n - a1c5n;
+    const T t_196 = a1c3n + a1c5n;
+    const T t_197 = a1c3s - a1c5s;
+    const T t_198 = a1c3s + a1c5s;
+    const T t_199 = a1c1n + t_196;
+    const T t_200 = k_2 * a1c1n + k_3 * t_195;
+    const T t_201 = k * a1c1n - k * t_196;
+    const T t_202 = k_3 * a1c1n - k_2 * t_195;
+    const T t_203 = a1c1s + t_198;
+    const T t_204 = k_2 * a1c1s + k_3 * t_197;
+    const T t_205 = k * a1c1s - k * t_198;
+    const T t_206 = k_3 * a1c1s - k_2 * t_197;
+    const T t_207 = a1s5n + a1s3n;
+    const T t_208 = a1s5n - a1s3n;
+    const T t_209 = a1s5s + a1s3s;
+    const T t_210 = a1s5s - a1s3s;
+    const T t_211 = k_3 * a1s1n + k_2 * t_207;
+    const T t_212 = k * a1s1n - k * t_208;
+    const T t_213 = a1s1n + t_208;
+    const T t_214 = k_2 * a1s1n - k_3 * t_207;
+    const T t_215 = k_3 * a1s1s + k_2 * t_209;
+    const T t_216 = k * a1s1s - k * t_210;
+    const T t_217 = a1s1s + t_210;
+    const T t_218 = k_2 * a1s1s - k_3 * t_209;
+    const T t_219 = b1c0n + b1c4n;
+    const T t_220 = b1c0s + b1c4s;
+    const T t_221 = b1c2n + b1c6n;
+    const T t_222 = k * (b1c2n - b1c6n);
+    const T t_223 = b1c2s + b1c6n;
+    const T t_224 = k * (b1c2s - b1c6n);
+    const T t_225 = t_219 + t_221;
+    const T t_226 = t_219 - t_221;
+    const T t_227 = b1c0n + t_222;
+    const T t_228 = b1c0n - t_222;
+    const T t_229 = b1c0n - b1c4n;
+    const T t_230 = t_220 + t_223;
+    const T t_231 = t_220 - t_223;
+    const T t_232 = b1c0s + t_224;
+    const T t_233 = b1c0s - t_224;
+    const T t_234 = b1c0s - b1c4s;
+    const T t_235 = k * (b1s6n + b1s2n);
+    const T t_236 = b1s2n - b1s6n;
+    const T t_237 = k * (b1s6n + b1s2s);
+    const T t_238 = b1s2s - b1s6n;
+    const T t_239 = b1s4n + t_235;
+    const T t_240 = t_235 - b1s4n;
+    const T t_241 = b1s4s + t_237;
+    const T t_242 = t_237 - b1s4s;
+    const T t_243 = b1c3n - b1c5n;
+    const T t_244 = b1c3n + b1c5n;
+    const T t_245 = b1c3s - b1c5s;
+    const T t_246 = b1c3s + b1c5s;
+    const T t_247 = b1c1n + t_244;
+    const T t_248 = k_2 * b1c1n + k_3 * t_243;
+    const T t_249 = k * b1c1n - k * t_244;
+    const T t_250 = k_3 * b1c1n - k_2 * t_243;
+    const T t_251 = b1c1s + t_246;
+    const T t_252 = k_2 * b1c1s + k_3 * t_245;
+    const T t_253 = k * b1c1s - k * t_246;
+    const T t_254 = k_3 * b1c1s - k_2 * t_245;
+    const T t_255 = b1s5n + b1s3n;
+    const T t_256 = b1s5n - b1s3n;
+    const T t_257 = b1s5s + b1s3s;
+    const T t_258 = b1s5s - b1s3s;
+    const T t_259 = k_3 * b1s1n + k_2 * t_255;
+    const T t_260 = k * b1s1n - k * t_256;
+    const T t_261 = b1s1n + t_256;
+    const T t_262 = k_2 * b1s1n - k_3 * t_255;
+    const T t_263 = k_3 * b1s1s + k_2 * t_257;
+    const T t_264 = k * b1s1s - k * t_258;
+    const T t_265 = b1s1s + t_258;
+    const T t_266 = k_2 * b1s1s - k_3 * t_257;
+    const T t_267 = t_177 * t_225 + t_199 * t_247;
+    const T t_268 = t_177 * t_247 + t_199 * t_225;
+    const T t_269 = t_179 * t_227 + t_191 * t_239 + t_200 * t_248 + t_211 * t_259;
+    const T t_270 = t_179 * t_239 + t_191 * t_227 + t_200 * t_259 + t_211 * t_248;
+    const T t_271 = t_179 * t_248 + t_191 * t_259 + t_200 * t_227 + t_211 * t_239;
+    const T t_272 = t_179 * t_259 + t_191 * t_248 + t_200 * t_239 + t_211 * t_227;
+    const T t_273 = t_181 * t_229 + t_188 * t_236 + t_201 * t_249 + t_212 * t_260;
+    const T t_274 = t_181 * t_236 + t_188 * t_229 + t_201 * t_260 + t_212 * t_249;
+    const T t_275 = t_181 * t_249 + t_188 * t_260 + t_201 * t_229 + t_212 * t_236;
+    const T t_276 = t_181 * t_260 + t_188 * t_249 + t_201 * t_236 + t_212 * t_229;
+    const T t_277 = t_180 * t_228 + t_192 * t_240 + t_202 * t_250 + t_214 * t_262;
+    const T t_278 = t_180 * t_240 + t_192 * t_228 + t_202 * t_262 + t_214 * t_250;
+    const T t_279 = t_180 * t_250 + t_192 * t_262 + t_202 * t_228 + t_214 * t_240;
+    const T t_280 = t_180 * t_262 + t_192 * t_250 + t_202 * t_240 + t_214 * t_228;
+    const T t_281 = t_178 * t_226 + t_213 * t_261;
+    const T t_282 = t_178 * t_261 + t_213 * t_226;
+    const T t_283 = t_182 * t_230 + t_203 * t_251;
+    const T t_284 = t_182 * t_251 + t_203 * t_230;
+    const T t_285 = t_184 * t_232 + t_193 * t_241 + t_204 * t_252 + t_215 * t_263;
+    const T t_286 = t_184 * t_241 + t_193 * t_232 + t_204 * t_263 + t_215 * t_252;
+    const T t_287 = t_184 * t_252 + t_193 * t_263 + t_204 * t_232 + t_215 * t_241;
+    const T t_288 = t_184 * t_263 + t_193 * t_252 + t_204 * t_241 + t_215 * t_232;
+    const T t_289 = t_186 * t_234 + t_190 * t_238 + t_205 * t_253 + t_216 * t_264;
+    const T t_290 = t_186 * t_238 + t_190 * t_234 + t_205 * t_264 + t_216 * t_253;
+    const T t_291 = t_186 * t_253 + t_190 * t_264 + t_205 * t_234 + t_216 * t_238;
+    const T t_292 = t_186 * t_264 + t_190 * t_253 + t_205 * t_238 + t_216 * t_234;
+    const T t_293 = t_185 * t_233 + t_194 * t_242 + t_206 * t_254 + t_218 * t_266;
+    const T t_294 = t_185 * t_242 + t_194 * t_233 + t_206 * t_266 + t_218 * t_254;
+    const T t_295 = t_185 * t_254 + t_194 * t_266 + t_206 * t_233 + t_218 * t_242;
+    const T t_296 = t_185 * t_266 + t_194 * t_254 + t_206 * t_242 + t_218 * t_233;
+    const T t_297 = t_183 * t_231 + t_217 * t_265;
+    const T t_298 = t_183 * t_265 + t_217 * t_231;
+    const T t_299 = k_4 * (t_285 - t_293);
+    const T t_300 = t_283 - t_297;
+    const T t_301 = k_5 * (t_297 + t_283);
+    const T t_302 = t_293 + t_289 + t_285 + t_301;
+    const T t_303 = t_301 - t_289;
+    const T t_304 = k_4 * (t_269 - t_277);
+    const T t_305 = t_267 - t_281;
+    const T t_306 = k_5 * (t_281 + t_267);
+    const T t_307 = t_277 + t_273 + t_269 + t_306;
+    const T t_308 = t_306 - t_273;
+    const T t_309 = t_300 + t_299;
+    const T t_310 = t_304 + t_305;
+    const T t_311 = t_286 - t_294;
+    const T t_312 = k * (t_294 + t_286);
+    const T t_313 = t_270 - t_278;
+    const T t_314 = k * (t_278 + t_270);
+    const T t_315 = t_290 + t_312;
+    const T t_316 = t_274 + t_314;
+    const T t_317 = k_3 * t_287 - k_2 * t_295;
+    const T t_318 = k_6 * t_295 + k_4 * t_291 + k_7 * t_287 + t_284;
+    const T t_319 = k_5 * t_284 - k * t_291;
+    const T t_320 = k_3 * t_271 - k_2 * t_279;
+    const T t_321 = k_6 * t_279 + k_4 * t_275 + k_7 * t_271 + t_268;
+    const T t_322 = k_5 * t_268 - k * t_275;
+    const T t_323 = t_320 + t_322;
+    const T t_324 = t_317 + t_319;
+    const T t_325 = k_5 * t_298 - k * t_292;
+    const T t_326 = k_8 * t_298 + k_9 * t_296 + k_10 * t_292 + t_288;
+    const T t_327 = k_2 * t_288 - k_3 * t_296;
+    const T t_328 = k_5 * t_282 - k * t_276;
+    const T t_329 = k_8 * t_282 + k_9 * t_280 + k_10 * t_276 + t_272;
+    const T t_330 = k_2 * t_272 - k_3 * t_280;
+    const T t_331 = t_330 - t_328;
+    const T t_332 = t_327 - t_325;
+    const T t_333 = t_322 - t_320 - (a1c5n * b1c6n - a1s5n * b1s6n + (a1c6n * b1c5n - a1s6n * b1s5n));
+    const T t_334 = t_328 + t_330 + (a1s5n * b1c6n + a1c5n * b1s6n + (a1s6n * b1c5n + a1c6n * b1s5n));
+    const T t_335 = t_319 - t_317 - (a1c5s * b1c6n - a1s5s * b1s6n + (a1c6n * b1c5s - a1s6n * b1s5s));
+    const T t_336 = t_325 + t_327 + (a1s5s * b1c6n + a1c5s * b1s6n + (a1s6n * b1c5s + a1c6n * b1s5s));
+    sum = sum + T(table[at+28]) * (t_312 - t_290 - t_274 + t_314 + (a1s4n * b1c6n + a1c4n * b1s6n + (a1s5n * b1c5n
+        + a1c5n * b1s5n) + (a1s6n * b1c4n + a1c6n * b1s4n)) + (a1s4s * b1c6n + a1c4s * b1s6n + (a1s5s * b1c5s
+        + a1c5s * b1s5s) + (a1s6n * b1c4s + a1c6n * b1s4s)));
+    sum_2 = sum_2 + T(table[at+28]) * (k_5 * (t_300 - t_299 - t_304 + t_305) - (a1c4n * b1c6n - a1s4n * b1s6n
+        + (a1c5n * b1c5n - a1s5n * b1s5n) + (a1c6n * b1c4n - a1s6n * b1s4n)) - (a1c4s * b1c6n - a1s4s * b1s6n
+        + (a1c5s * b1c5s - a1s5s * b1s5s) + (a1c6n * b1c4s - a1s6n * b1s4s)));
+    sum_3 = sum_3 + T(table[at+29]) * (t_334 + t_336);
+    sum_4 = sum_4 + T(table[at+30]) * (t_334 - t_336);
+    const T t_337 = t_313 + t_311 + k_11 * (a1s6n * b1c6n + a1c6n * b1s6n);
+    sum_5 = sum_5 + T(table[at+32]) * (t_313 - t_311);
+    const T t_338 = t_331 + t_332;
+    const T t_339 = t_331 - t_332;
+    const T t_340 = t_316 + t_315;
+    const T t_341 = t_316 - t_315;
+    const T t_342 = t_329 + t_326;
+    const T t_343 = t_329 - t_326;
+    const T t_344 = t_307 + t_302;
+    const T t_345 = t_307 - t_302;
+    const T t_346 = t_321 + t_318;
+    const T t_347 = t_321 - t_318;
+    const T t_348 = t_310 + t_309;
+    const T t_349 = t_310 - t_309;
+    const T t_350 = t_323 + t_324;
+    const T t_351 = t_323 - t_324;
+    const T t_352 = t_308 + t_303 - k_11 * (a1c6n * b1c6n - a1s6n * b1s6n);
+    sum_6 = sum_6 + T(table[at+32]) * (t_308 - t_303);
+    sum_7 = sum_7 + T(table[at+29]) * (t_333 + t_335);
+    sum_8 = sum_8 + T(table[at+30]) * (t_333 - t_335);
+    sum_9 = sum_9 + T(table[at+31]) * t_337;
+    sum_10 = sum_10 + T(table[at+33]) * t_337;
+    sum_11 = sum_11 + T(table[at+34]) * t_338;
+    sum_12 = sum_12 + T(table[at+36]) * t_338;
+    sum_13 = sum_13 + T(table[at+35]) * t_339;
+    sum_14 = sum_14 + T(table[at+37]) * t_339;
+    sum_15 = sum_15 + T(table[at+38]) * t_340;
+    sum_16 = sum_16 + T(table[at+39]) * t_341;
+    sum_17 = sum_17 + T(table[at+41]) * t_341;
+    sum_18 = sum_18 + T(table[at+40]) * t_340;
+    sum_19 = sum_19 + T(table[at+42]) * t_340;
+    sum_20 = sum_20 + T(table[at+43]) * t_342;
+    sum_21 = sum_21 + T(table[at+44]) * t_343;
+    sum_22 = sum_22 + T(table[at+45]) * t_342;
+    sum_23 = sum_23 + T(table[at+47]) * t_342;
+    sum_24 = sum_24 + T(table[at+46]) * t_343;
+    sum_25 = sum_25 + T(table[at+48]) * t_343;
+    sum_26 = sum_26 + T(table[at+49]) * t_344;
+    sum_27 = sum_27 + T(table[at+50]) * t_345;
+    sum_28 = sum_28 + T(table[at+51]) * t_344;
+    sum_29 = sum_29 + T(table[at+52]) * t_345;
+    sum_30 = sum_30 + T(table[at+54]) * t_345;
+    sum_31 = sum_31 + T(table[at+53]) * t_344;
+    sum_32 = sum_32 + T(table[at+55]) * t_344;
+    sum_33 = sum_33 + T(table[at+56]) * t_346;
+    sum_34 = sum_34 + T(table[at+57]) * t_347;
+    sum_35 = sum_35 + T(table[at+58]) * t_346;
+    sum_36 = sum_36 + T(table[at+60]) * t_346;
+    sum_37 = sum_37 + T(table[at+59]) * t_347;
+    sum_38 = sum_38 + T(table[at+61]) * t_347;
+    sum_39 = sum_39 + T(table[at+62]) * t_348;
+    sum_40 = sum_40 + T(table[at+63]) * t_349;
+    sum_41 = sum_41 + T(table[at+65]) * t_349;
+    sum_42 = sum_42 + T(table[at+64]) * t_348;
+    sum_43 = sum_43 + T(table[at+66]) * t_348;
+    sum_44 = sum_44 + T(table[at+34]) * t_350;
+    sum_45 = sum_45 + T(table[at+36]) * t_350;
+    sum_46 = sum_46 + T(table[at+35]) * t_351;
+    sum_47 = sum_47 + T(table[at+37]) * t_351;
+    sum_48 = sum_48 + T(table[at+31]) * t_352;
+    sum_49 = sum_49 + T(table[at+33]) * t_352;
+  }
+  return (sum_26 + t_11 + t_113) * c[0] + ((sum_20 + t_110) * c[1] + (sum_27 + t_12) * c[2]) + ((sum_33
+      + t_117) * c[3] + ((sum_15 + t_107) * c[4] + sum_21 * c[5])) + ((sum_28 + t_13 - t_114) * c[6] + (sum_34 * c[7]
+      + (sum_39 + t_120) * c[8]) + ((sum_11 + t_105) * c[9] + (sum_16 * c[10] + (sum_22 - t_111) * c[11]))) + ((sum_29
+      + t_14) * c[12] + ((sum_35 - t_118) * c[13] + sum_40 * c[14]) + ((sum_44 + t_123) * c[15] + ((sum_9
+      + t_103) * c[16] + sum_13 * c[17])) + ((sum_18 - t_108) * c[18] + (sum_24 * c[19] + (sum_31 + t_16
+      + t_115) * c[20]) + (sum_37 * c[21] + ((sum_42 - t_121) * c[22] + sum_46 * c[23])))) + ((sum_48 + t_125) * c[24]
+      + ((sum_3 + t_100) * c[25] + sum_5 * c[26]) + ((sum_12 - t_106) * c[27] + (sum_17 * c[28] + (sum_23
+      + t_112) * c[29])) + ((sum_30 + t_15) * c[30] + ((sum_36 + t_119) * c[31] + sum_41 * c[32]) + ((sum_45
+      - t_124) * c[33] + (sum_6 * c[34] + (sum_7 + t_99) * c[35]))) + ((sum + t_101) * c[36] + (sum_4 * c[37]
+      + (sum_10 - t_104) * c[38]) + (sum_14 * c[39] + ((sum_19 + t_109) * c[40] + sum_25 * c[41])) + ((sum_32 + t_17
+      - t_116) * c[42] + (sum_38 * c[43] + (sum_43 + t_122) * c[44]) + (sum_47 * c[45] + (sum_49 - t_126) * c[46]
+      + (sum_8 * c[47] + (sum_2 + t_102) * c[48])))));  // integral of a b c
 }
 
 }  // namespace sh

@@ -7,15 +7,15 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis; any c
 // Output:       rgb (3): red, green, blue: the sums of c_lm Y_lm(d); c (3, 4), channel by channel: coefficients of the
 //               orthonormal Y_lm, no Condon-Shortley phase, at index l(l+1)+m
-// Recipe:       sum
+// Recipe:       columns
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
-// Cost:         15 multiplications, 9 additions; longest chain 5; at most 15 values live
+// Cost:         15 multiplications, 9 additions; longest chain 4; at most 15 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 1.7e-07 (2.8 eps)  largest seen 1.1e-07 (2.1 eps)
-//                       total                                largest seen 1.1e-07 (2.1 eps)
-//               double  rounding  at most 2.8e-16 (2.6 eps)  largest seen 1.9e-16 (1.8 eps)
+//               float   rounding  at most 1.5e-07 (2.5 eps)  largest seen 1.0e-07 (2.0 eps)
+//                       total                                largest seen 1.1e-07 (2.0 eps)
+//               double  rounding  at most 2.5e-16 (2.3 eps)  largest seen 1.7e-16 (1.7 eps)
 //                       total                                largest seen 1.9e-16 (1.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
@@ -35,7 +35,7 @@ void evaluate_rgb_l1(float c[12], float x, float y, float z, out float rgb[3]) {
     float y_1_1c = k_1_1 * x;
     float y_1_1s = k_1_1 * y;
     float t_1_0 = k_1_1 * z;
-    rgb[0] = c[3] * y_1_1c + c[2] * t_1_0 + c[1] * y_1_1s + c[0] * k_0_0;    // red
-    rgb[1] = c[7] * y_1_1c + c[6] * t_1_0 + c[5] * y_1_1s + c[4] * k_0_0;    // green
-    rgb[2] = c[11] * y_1_1c + c[10] * t_1_0 + c[9] * y_1_1s + c[8] * k_0_0;  // blue
+    rgb[0] = c[3] * y_1_1c + c[1] * y_1_1s + (c[2] * t_1_0 + c[0] * k_0_0);    // red
+    rgb[1] = c[7] * y_1_1c + c[5] * y_1_1s + (c[6] * t_1_0 + c[4] * k_0_0);    // green
+    rgb[2] = c[11] * y_1_1c + c[9] * y_1_1s + (c[10] * t_1_0 + c[8] * k_0_0);  // blue
 }

@@ -1,8 +1,13 @@
 // Wisdom: reading, writing, choosing; and `shgen tune` on one small kernel.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "codegen/choose/catalogue.hpp"
 #include "codegen/choose/wisdom.hpp"
 #include "tests/codegen/support.hpp"
 
@@ -44,6 +49,45 @@ TEST(Wisdom, RefusesALineThatIsNoMeasurementAndNamesIt) {
   }
 }
 
+TEST(Wisdom, RatesARecipeByItsMeanSlowdownOnTheMachinesThatMeasuredAll) {
+  const std::vector<std::string> both = {"chebyshev", "recurrence"};
+  std::map<std::string, Wisdom> machines;
+  EXPECT_TRUE(mean_slowdowns(machines, "basis", 4, both).empty());
+  machines["a"].set("basis", 4, "chebyshev", {10, 1});
+  EXPECT_TRUE(mean_slowdowns(machines, "basis", 4, both).empty()) << "one is not measured";
+  machines["a"].set("basis", 4, "recurrence", {20, 1});
+  machines["b"].set("basis", 4, "chebyshev", {32, 1});
+  machines["b"].set("basis", 4, "recurrence", {4, 1});
+  machines["c"].set("basis", 4, "recurrence", {1, 1});
+  const std::vector<double> rated = mean_slowdowns(machines, "basis", 4, both);
+  ASSERT_EQ(rated.size(), 2U);
+  EXPECT_NEAR(rated[0], std::sqrt(1.0 * 8.0), 1e-12);
+  EXPECT_NEAR(rated[1], std::sqrt(2.0 * 1.0), 1e-12);
+  EXPECT_EQ(mean_slowdowns(machines, "basis", 4, {"recurrence"}), (std::vector<double>{1}));
+}
+
+TEST(Wisdom, OfEveryCommittedMachineKnowsAllRecipesThatItChoosesAmong) {
+  EXPECT_GE(committed_wisdom().size(), 2U);
+  for (const auto& [machine, wisdom] : committed_wisdom()) {
+    for (const Family& family : families()) {
+      for (int degree = 0; degree <= family.largest_written; ++degree) {
+        const std::vector<Recipe> recipes = recipes_for(family, degree);
+        if (recipes.size() < 2) continue;
+        for (const Recipe& recipe : recipes) {
+          EXPECT_TRUE(wisdom.find(family.name, degree, recipe.name))
+              << machine << " " << family.name << " " << degree << " " << recipe.name;
+        }
+      }
+    }
+  }
+}
+
+TEST(Tune, NamesAMachineByItsProcessorAndCompiler) {
+  const std::string name = machine_name();
+  EXPECT_TRUE(name.ends_with("-gcc") || name.ends_with("-clang")) << name;
+  EXPECT_TRUE(name.starts_with("amd-") || name.starts_with("intel-") || name.starts_with("other-")) << name;
+}
+
 TEST(Tune, MeasuresAKernelAndWritesWhatItLearned) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "wisdom.txt";
@@ -59,6 +103,8 @@ TEST(Tune, MeasuresAKernelAndWritesWhatItLearned) {
 TEST(Tune, BadArgumentsAreOneLineAndExitTwo) {
   test::expect_refused("tune nothing", "unknown family");
   test::expect_refused("tune basis --degree 99", "expected degree 0 to 20, got 99");
+  test::expect_refused("tune basis --degree 1 --machine ../amd",
+                       "expected small letters, digits and hyphens, got ../amd");
   const auto unwritable = test::shgen("tune basis --degree 0 --out /dev/null/here");
   EXPECT_EQ(unwritable.exit_code, 2);
   EXPECT_NE(unwritable.err.find("shgen: /dev/null/here: "), std::string::npos) << unwritable.err;
