@@ -13,12 +13,16 @@ namespace sh::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kPass = 2e-4;  // seconds that a pass of one task lasts at least
+constexpr double kPass = 2e-4;      // seconds that a pass of one task lasts at least
+constexpr double kQuiet = 0.03;     // a spread that no further passes are needed for
+constexpr double kPatience = 0.25;  // seconds of passes after which a spread is taken as it is
+
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 double seconds(const std::function<void()>& task, int repetitions) {
   const auto start = Clock::now();
   for (int i = 0; i < repetitions; ++i) task();
-  return std::chrono::duration<double>(Clock::now() - start).count();
+  return since(start);
 }
 
 int repetitions_for(const std::function<void()>& task) {
@@ -80,17 +84,21 @@ std::vector<double> least_times(const std::vector<std::function<void()>>& tasks,
   repetitions.reserve(tasks.size());
   for (const auto& task : tasks) repetitions.push_back(repetitions_for(task));
   std::vector<std::vector<double>> all(tasks.size());
-  for (int pass = 0; pass < passes; ++pass) {
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      all[i].push_back(seconds(tasks[i], repetitions[i]) / repetitions[i]);
-    }
-  }
   std::vector<double> least;
-  spread_of_last = 0;
-  for (const std::vector<double>& passes_of_task : all) {
-    least.push_back(*std::min_element(passes_of_task.begin(), passes_of_task.end()));
-    spread_of_last = std::max(spread_of_last, median_of(passes_of_task) / least.back() - 1);
-  }
+  const auto start = Clock::now();
+  do {
+    for (int pass = 0; pass < passes; ++pass) {
+      for (std::size_t i = 0; i < tasks.size(); ++i) {
+        all[i].push_back(seconds(tasks[i], repetitions[i]) / repetitions[i]);
+      }
+    }
+    least.clear();
+    spread_of_last = 0;
+    for (const std::vector<double>& passes_of_task : all) {
+      least.push_back(*std::min_element(passes_of_task.begin(), passes_of_task.end()));
+      spread_of_last = std::max(spread_of_last, median_of(passes_of_task) / least.back() - 1);
+    }
+  } while (spread_of_last > kQuiet && since(start) < kPatience);
   return least;
 }
 

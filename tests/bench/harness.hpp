@@ -22,7 +22,8 @@ namespace sh::bench {
 
 using numeric::coefficient_count;
 
-/// Seconds of one call of each task, by turns, the least of the passes. A pass repeats short tasks.
+/// Seconds of one call of each task, by turns, the least of the passes. A pass repeats short tasks. More passes follow for a
+/// quarter of a second while their times spread.
 std::vector<double> least_times(const std::vector<std::function<void()>>& tasks, int passes = 25);
 
 /// Of the last least_times: how much longer the median pass of a task was than its least one, as a part of that; the most of
