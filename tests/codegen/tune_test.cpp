@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "codegen/choose/catalogue.hpp"
@@ -50,19 +51,22 @@ TEST(Wisdom, RefusesALineThatIsNoMeasurementAndNamesIt) {
 }
 
 TEST(Wisdom, RatesARecipeByItsMeanSlowdownOnTheMachinesThatMeasuredAll) {
-  const std::vector<std::string> both = {"chebyshev", "recurrence"};
+  const std::vector<std::string> all = {"chebyshev", "recurrence", "parity"};
   std::map<std::string, Wisdom> machines;
-  EXPECT_TRUE(mean_slowdowns(machines, "basis", 4, both).empty());
-  machines["a"].set("basis", 4, "chebyshev", {10, 1});
-  EXPECT_TRUE(mean_slowdowns(machines, "basis", 4, both).empty()) << "one is not measured";
-  machines["a"].set("basis", 4, "recurrence", {20, 1});
-  machines["b"].set("basis", 4, "chebyshev", {32, 1});
-  machines["b"].set("basis", 4, "recurrence", {4, 1});
-  machines["c"].set("basis", 4, "recurrence", {1, 1});
-  const std::vector<double> rated = mean_slowdowns(machines, "basis", 4, both);
-  ASSERT_EQ(rated.size(), 2U);
-  EXPECT_NEAR(rated[0], std::sqrt(1.0 * 8.0), 1e-12);
-  EXPECT_NEAR(rated[1], std::sqrt(2.0 * 1.0), 1e-12);
+  const auto measure = [&machines](const std::string& machine, std::vector<std::pair<std::string, double>> calls) {
+    for (const auto& [recipe, ns] : calls) machines[machine].set("basis", 4, recipe, {ns, 1});
+  };
+  EXPECT_TRUE(mean_slowdowns(machines, "basis", 4, all).empty());
+  measure("a", {{"chebyshev", 10}, {"recurrence", 20}});
+  EXPECT_TRUE(mean_slowdowns(machines, "basis", 4, all).empty()) << "one is not measured";
+  measure("a", {{"parity", 5}});
+  measure("b", {{"chebyshev", 32}, {"recurrence", 4}, {"parity", 2}});
+  measure("c", {{"chebyshev", 1}, {"recurrence", 100}});
+  const std::vector<double> rated = mean_slowdowns(machines, "basis", 4, all);
+  ASSERT_EQ(rated.size(), 3U);
+  EXPECT_NEAR(rated[0], std::sqrt(2.0 * 16.0), 1e-12);
+  EXPECT_NEAR(rated[1], std::sqrt(4.0 * 2.0), 1e-12);
+  EXPECT_NEAR(rated[2], 1, 1e-12);
   EXPECT_EQ(mean_slowdowns(machines, "basis", 4, {"recurrence"}), (std::vector<double>{1}));
 }
 
