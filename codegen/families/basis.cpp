@@ -11,6 +11,9 @@
 namespace sh::codegen {
 namespace {
 
+// At lower degrees other recipes are faster, and their error bounds are no larger.
+constexpr int kFirstChebyshev = 4;
+
 Reference basis_reference(int degree, int points) {
   return reference_at(rational_directions(points), [degree](const Rationals& d) {
     return precise_values(coefficient_count(degree), [&d](int i) { return basis_value(i, d); });
@@ -89,9 +92,9 @@ Inputs normalized_inputs(int /*degree*/) {
 std::vector<Family> basis_families() {
   return {
       {.name = "basis",
-       .recipes = {{"chebyshev", recipes::basis_chebyshev, 0, recipes::kLastChebyshev},
-                   {"parity", recipes::basis_parity},
+       .recipes = {{"chebyshev", recipes::basis_chebyshev, kFirstChebyshev, recipes::kLastChebyshev},
                    {"recurrence", recipes::basis_recurrence},
+                   {"parity", recipes::basis_parity},
                    {"centred", recipes::basis_centred},
                    {"parity-least", recipes::basis_parity_least, 0, 20, false}},
        .reference = basis_reference,
@@ -110,7 +113,7 @@ std::vector<Family> basis_families() {
        .batch = BatchDriver{.what = "Values and Cartesian gradient of the solid harmonics: values, d/dx, d/dy, d/dz",
                             .groups = true}},
       {.name = "basis_normalised",
-       .recipes = {{"chebyshev", recipes::basis_normalised_chebyshev, 0, recipes::kLastChebyshev},
+       .recipes = {{"chebyshev", recipes::basis_normalised_chebyshev, kFirstChebyshev, recipes::kLastChebyshev},
                    {"parity", recipes::basis_normalised_parity}},
        .reference = normalized_reference,
        .domain = {.inputs = "vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20)",

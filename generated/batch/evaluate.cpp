@@ -46,7 +46,7 @@ template <int Degree, class T>
 
 template <int Degree, class T>
 void records(const T* a, const T* b, std::size_t n, T* to) {
-  run_records<T, 1, ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to, one_by_one<Degree, T>, in_groups<Degree, T>);
+  run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, 1, ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
 }
 
 template <int Degree, class T>

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 
 #include "lanes.hpp"
 
@@ -219,28 +220,29 @@ constexpr std::size_t kVectorised = 8;
 constexpr std::size_t kVectorised = 5;
 #endif
 
-// n records: by groups. What is left over is part of a group that ends with the last record, which computes some again,
-// from inputs that must still be there; of a call of few, part of a group in memory of its own. One or two are faster one
-// by one, and more where there is no whole group and they are small; the smallest of all, of degree 0 and 1, always. As
-// measured (tests/bench/plain_targets.cpp).
-template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0>
-inline void run_records(const T* a, const T* b, std::size_t n, T* to, detail::RecordKernel<T> one_by_one,
-                        detail::RecordKernel<T> groups) {
-  constexpr bool kIsLeast = InA + InB + Out <= kVectorised;
-  constexpr bool kIsSmall = kGroup<T> < 8 || InA + InB + Out < 40;
-  constexpr std::size_t kMostSingle = kIsSmall ? kGroup<T> - 1 : 3;
-  if (kGroup<T> == 1 || kIsLeast || n <= kMostSingle) return one_by_one(a, b, n, to);
+// The most records that are faster one by one than as a part of a group. The smallest records, of degree 0 and 1, always
+// are. As measured (tests/bench/plain_targets.cpp).
+template <class T, std::size_t Out, std::size_t In>
+constexpr std::size_t kMostSingle = kGroup<T> == 1 || In + Out <= kVectorised ? std::numeric_limits<std::size_t>::max()
+                                    : kGroup<T> < 8 || In + Out < 40          ? kGroup<T> - 1
+                                                                              : 3;
+
+// n records by groups. What is left over is part of a group that ends with the last record, which computes some again,
+// from inputs that must still be there; of a call of few, part of a group in memory of its own.
+template <class T, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Groups, std::size_t Out, std::size_t InA,
+          std::size_t InB = 0>
+[[gnu::noinline]] void run_groups(const T* a, const T* b, std::size_t n, T* to) {
   const std::size_t whole = n / kGroup<T>;
   const std::size_t rest = n % kGroup<T>;
   const bool may_overlap = whole > 0 && rest > 2 && a != to && b != to;
-  if (whole > 0) groups(a, b, whole, to);
+  if (whole > 0) Groups(a, b, whole, to);
   if (rest == 0) return;
   const std::size_t first = may_overlap ? n - kGroup<T> : whole * kGroup<T>;
   a += first * InA;
   b += first * InB;
   to += first * Out;
-  if (may_overlap) return groups(a, b, 1, to);
-  if (rest <= kMostSingle) return one_by_one(a, b, rest, to);
+  if (may_overlap) return Groups(a, b, 1, to);
+  if (rest <= kMostSingle<T, Out, InA + InB>) return OneByOne(a, b, rest, to);
   T in[kGroup<T> * (InA + InB)];
   T result[kGroup<T> * Out];
   const auto copy = [rest](const T* from, std::size_t size, T* room) {
@@ -250,8 +252,16 @@ inline void run_records(const T* a, const T* b, std::size_t n, T* to, detail::Re
   T* const second = static_cast<T*>(in) + kGroup<T> * InA;
   copy(a, InA, in);
   if constexpr (InB > 0) copy(b, InB, second);
-  groups(static_cast<const T*>(in), second, 1, static_cast<T*>(result));
+  Groups(static_cast<const T*>(in), second, 1, static_cast<T*>(result));
   std::memcpy(to, result, rest * Out * sizeof(T));
+}
+
+// n records. A call of few saves no registers for groups.
+template <class T, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Groups, std::size_t Out, std::size_t InA,
+          std::size_t InB = 0>
+inline void run_records(const T* a, const T* b, std::size_t n, T* to) {
+  if (n <= kMostSingle<T, Out, InA + InB>) return OneByOne(a, b, n, to);
+  if constexpr (kGroup<T> != 1) run_groups<T, OneByOne, Groups, Out, InA, InB>(a, b, n, to);
 }
 
 }  // namespace sh::batch::SH_BATCH_ISA

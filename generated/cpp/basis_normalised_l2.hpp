@@ -6,19 +6,20 @@
 // Input:        x, y, z
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       out (9): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       chebyshev
-// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
-// Cost:         19 multiplications, 6 additions, 1 divisions, 1 square roots; longest chain 11; at most 6 values live
+// Recipe:       parity
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
+// Cost:         18 multiplications, 5 additions, 1 divisions, 1 square roots; longest chain 9; at most 5 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 5.6 eps  largest seen 2.9e-07 (3.8 eps)
-//               double  rounding  at most 5.6 eps  largest seen 5.2e-16 (3.7 eps)
+//               float   rounding  at most 8.3 eps  largest seen 3.8e-07 (5.0 eps)
+//               double  rounding  at most 8.3 eps  largest seen 6.8e-16 (4.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
 //               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = -1.0037402, 0.0040042037, 0.079895176
-//                         double x, y, z = -0.0006169617347849692, 1.0143718671006852, 1.5373987366250846e-05
+//               worst:    float x, y, z = 0.01509729, -6.519987e-11, 4.0326176
+//                         double x, y, z = -9.047740095258351e-08, 0.13500241399025525, -8.008799242744027
 #pragma once
 
 #include <cmath>
@@ -87,27 +88,25 @@ constexpr void basis_normalised_l2(T x, T y, T z, T* out) noexcept {
   const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
   const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
   const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T a_2_00 = detail::constant<T>(0.47308734f, 0.47308734787878);    // 3/8 sqrt(5/pi)
-  const T b_2_00 = detail::constant<T>(0.15769579f, 0.15769578262626);    // 1/8 sqrt(5/pi)
+  const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
+  const T b_2_0  = detail::constant<T>(0.31539157f, 0.31539156525252);    // 1/4 sqrt(5/pi)
 
-  out[0] = k_0_0;                                    // l=0 m=0
+  out[0] = k_0_0;                           // l=0 m=0
   const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;
-  out[2] = k_1_1 * nz;                               // l=1 m=0
-  const T x2 = nx * nx;
-  const T y2 = ny * ny;
-  out[8] = k_2_2c * (x2 - y2);                       // l=2 m=2
+  out[2] = k_1_1 * nz;                      // l=1 m=0
+  out[6] = a_2_0 * nz * nz - b_2_0;         // l=2 m=0
   const T t_2_1 = k_2_1 * nz;
-  out[6] = a_2_00 * (nz * nz - (x2 + y2)) + b_2_00;  // l=2 m=0
   const T y_1_1c = k_1_1 * nx;
-  out[3] = y_1_1c;                                   // l=1 m=1
-  out[7] = t_2_1 * y_1_1c;                           // l=2 m=1
-  out[4] = k_2_2s * nx * ny;                         // l=2 m=-2
+  out[3] = y_1_1c;                          // l=1 m=1
+  out[7] = t_2_1 * y_1_1c;                  // l=2 m=1
   const T y_1_1s = k_1_1 * ny;
-  out[1] = y_1_1s;                                   // l=1 m=-1
-  out[5] = t_2_1 * y_1_1s;                           // l=2 m=-1
+  out[1] = y_1_1s;                          // l=1 m=-1
+  out[5] = t_2_1 * y_1_1s;                  // l=2 m=-1
+  out[4] = k_2_2s * nx * ny;                // l=2 m=-2
+  out[8] = k_2_2c * (nx - ny) * (nx + ny);  // l=2 m=2
 }
 
 }  // namespace sh

@@ -6,19 +6,20 @@
 // Input:        x, y, z
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       out (16): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       chebyshev
-// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
-// Cost:         31 multiplications, 12 additions, 1 divisions, 1 square roots; longest chain 12; at most 10 values live
+// Recipe:       parity
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
+// Cost:         30 multiplications, 10 additions, 1 divisions, 1 square roots; longest chain 11; at most 9 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 10.6 eps  largest seen 4.5e-07 (5.1 eps)
-//               double  rounding  at most 10.5 eps  largest seen 9.5e-16 (5.7 eps)
+//               float   rounding  at most 16.3 eps  largest seen 7.5e-07 (8.4 eps)
+//               double  rounding  at most 16.4 eps  largest seen 1.5e-15 (9.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
 //               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = -2.061326e-06, -2.1170881e-06, -4.7629896e-05
-//                         double x, y, z = -0.03023312695825768, 4.376504379868707e-06, -16.0150851940798
+//               worst:    float x, y, z = 0.00032663744, -5.9604645e-08, 0.0017197559
+//                         double x, y, z = 0.4863215667260033, -0.11760568426007265, -64.16657671056899
 #pragma once
 
 #include <cmath>
@@ -89,50 +90,46 @@ constexpr void basis_normalised_l3(T x, T y, T z, T* out) noexcept {
   const T a_3_3  = detail::constant<T>(2.4152296f, 2.41522945769824);     // 1/6 sqrt(210)
   const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);   // sqrt(7)
   const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);      // sqrt(5)
-  const T a_3_10 = detail::constant<T>(2.3385358f, 2.3385358667337135);   // 5/8 sqrt(14)
-  const T b_3_10 = detail::constant<T>(1.4031215f, 1.403121520040228);    // 3/8 sqrt(14)
+  const T a_3_1  = detail::constant<T>(4.6770716f, 4.677071733467427);    // 5/4 sqrt(14)
+  const T b_3_1  = detail::constant<T>(0.9354144f, 0.9354143466934853);   // 1/4 sqrt(14)
   const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
-  const T a_2_00 = detail::constant<T>(0.47308734f, 0.47308734787878);    // 3/8 sqrt(5/pi)
-  const T b_2_00 = detail::constant<T>(0.15769579f, 0.15769578262626);    // 1/8 sqrt(5/pi)
-  const T a_3_00 = detail::constant<T>(1.9094065f, 1.9094065395649333);   // 5/12 sqrt(21)
-  const T b_3_00 = detail::constant<T>(0.3818813f, 0.3818813079129867);   // 1/12 sqrt(21)
+  const T a_2_0  = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
+  const T b_2_0  = detail::constant<T>(0.31539157f, 0.31539156525252);    // 1/4 sqrt(5/pi)
+  const T a_3_0  = detail::constant<T>(3.818813f, 3.8188130791298667);    // 5/6 sqrt(21)
+  const T b_3_0  = detail::constant<T>(2.291288f, 2.29128784747792);      // 1/2 sqrt(21)
 
-  out[0] = k_0_0;                           // l=0 m=0
+  out[0] = k_0_0;                          // l=0 m=0
   const T inverse = one / detail::square_root<T>(x * x + y * y + z * z);
   const T nx = x * inverse;
   const T ny = y * inverse;
   const T nz = z * inverse;
-  const T x2 = nx * nx;
-  const T y2 = ny * ny;
-  const T xy2 = x2 + y2;
   const T z2 = nz * nz;
+  const T t = b_3_3 * (one - z2);
   const T y_1_1c = k_1_1 * nx;
-  out[3] = y_1_1c;                          // l=1 m=1
+  out[3] = y_1_1c;                         // l=1 m=1
   const T y_1_1s = k_1_1 * ny;
-  out[1] = y_1_1s;                          // l=1 m=-1
+  out[1] = y_1_1s;                         // l=1 m=-1
   const T y_2_2s = k_2_2s * nx * ny;
-  out[4] = y_2_2s;                          // l=2 m=-2
-  const T t = x2 - y2;
-  const T y_2_2c = k_2_2c * t;
-  out[8] = y_2_2c;                          // l=2 m=2
-  const T t_2 = b_3_3 * xy2;
-  const T t_3 = a_3_3 * t;
-  out[15] = y_1_1c * (t_3 - t_2);           // l=3 m=3
-  out[9] = y_1_1s * (t_3 + t_2);            // l=3 m=-3
-  const T u = z2 - xy2;
+  out[4] = y_2_2s;                         // l=2 m=-2
+  const T t_2 = (nx - ny) * (nx + ny);
+  const T y_2_2c = k_2_2c * t_2;
+  out[8] = y_2_2c;                         // l=2 m=2
+  const T t_3 = a_3_3 * t_2;
+  out[15] = y_1_1c * (t_3 - t);            // l=3 m=3
+  out[9] = y_1_1s * (t_3 + t);             // l=3 m=-3
   const T t_3_2 = k_3_2 * nz;
+  out[10] = t_3_2 * y_2_2s;                // l=3 m=-2
+  out[14] = t_3_2 * y_2_2c;                // l=3 m=2
   const T t_2_1 = k_2_1 * nz;
-  const T p_3_1 = a_3_10 * (z2 + z2 - one) + b_3_10;
   const T t_1_0 = k_1_1 * nz;
-  out[2] = t_1_0;                           // l=1 m=0
-  out[6] = a_2_00 * u + b_2_00;             // l=2 m=0
-  out[10] = t_3_2 * y_2_2s;                 // l=3 m=-2
-  out[14] = t_3_2 * y_2_2c;                 // l=3 m=2
-  out[5] = t_2_1 * y_1_1s;                  // l=2 m=-1
-  out[7] = t_2_1 * y_1_1c;                  // l=2 m=1
-  out[11] = p_3_1 * y_1_1s;                 // l=3 m=-1
-  out[13] = p_3_1 * y_1_1c;                 // l=3 m=1
-  out[12] = (a_3_00 * u - b_3_00) * t_1_0;  // l=3 m=0
+  out[2] = t_1_0;                          // l=1 m=0
+  out[5] = t_2_1 * y_1_1s;                 // l=2 m=-1
+  out[7] = t_2_1 * y_1_1c;                 // l=2 m=1
+  const T p_3_1 = a_3_1 * z2 - b_3_1;
+  out[11] = p_3_1 * y_1_1s;                // l=3 m=-1
+  out[13] = p_3_1 * y_1_1c;                // l=3 m=1
+  out[6] = a_2_0 * z2 - b_2_0;             // l=2 m=0
+  out[12] = (a_3_0 * z2 - b_3_0) * t_1_0;  // l=3 m=0
 }
 
 }  // namespace sh

@@ -6,8 +6,8 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       result (4): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       chebyshev
-// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Recipe:       recurrence
+// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
 // Cost:         3 multiplications, 0 additions; longest chain 1; at most 3 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
 //               float   rounding  at most 2.3e-08 (0.5 eps)  largest seen 2.2e-08 (0.4 eps)
@@ -28,11 +28,11 @@ precision highp float;
 #endif
 
 void basis_l1(float x, float y, float z, out float result[4]) {
-    const float k_1_1 = 0.48860252;  // 1/2 sqrt(3/pi)
     const float k_0_0 = 0.2820948;   // 1/2 sqrt(1/pi)
+    const float k_1_0 = 0.48860252;  // 1/2 sqrt(3/pi)
 
     result[0] = k_0_0;      // l=0 m=0
-    result[3] = k_1_1 * x;  // l=1 m=1
-    result[1] = k_1_1 * y;  // l=1 m=-1
-    result[2] = k_1_1 * z;  // l=1 m=0
+    result[2] = k_1_0 * z;  // l=1 m=0
+    result[1] = k_1_0 * y;  // l=1 m=-1
+    result[3] = k_1_0 * x;  // l=1 m=1
 }

@@ -6,21 +6,21 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       result (9): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       chebyshev
-// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
-// Cost:         13 multiplications, 4 additions; longest chain 5; at most 6 values live
+// Recipe:       recurrence
+// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
+// Cost:         13 multiplications, 2 additions; longest chain 3; at most 4 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 1.3e-07 (1.7 eps)  largest seen 9.1e-08 (1.2 eps)
-//                       total                                largest seen 9.5e-08 (1.3 eps)
+//               float   rounding  at most 1.3e-07 (1.7 eps)  largest seen 1.1e-07 (1.4 eps)
+//                       total                                largest seen 1.6e-07 (2.1 eps)
 //               double  rounding  at most 2.4e-16 (1.7 eps)  largest seen 1.7e-16 (1.2 eps)
-//                       total                                largest seen 2.3e-16 (1.6 eps)
+//                       total                                largest seen 2.9e-16 (2.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
 //               or without contraction
 //               total:    against the exact function at the input scaled to length 1
 //               seen:     among 1110 directions (random, axes, poles, near poles) and 262144 evaluations of a search,
 //               without contraction
-//               worst:    float x, y, z = -0.002296739, -0.9994821, 0.032097246
+//               worst:    float x, y, z = -2.2496088e-06, 0.0027773515, -0.9999961
 //                         double x, y, z = 0.003260758000046533, -0.9999946837144441, -3.3769589610634303e-07
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
@@ -28,26 +28,21 @@ precision highp float;
 #endif
 
 void basis_l2(float x, float y, float z, out float result[9]) {
-    const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
-    const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
-    const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
-    const float k_2_1  = 2.236068;    // sqrt(5)
-    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float a_2_00 = 0.47308734;  // 3/8 sqrt(5/pi)
-    const float b_2_00 = 0.15769579;  // 1/8 sqrt(5/pi)
+    const float k_0_0 = 0.2820948;   // 1/2 sqrt(1/pi)
+    const float k_1_0 = 0.48860252;  // 1/2 sqrt(3/pi)
+    const float b_2_0 = 0.31539157;  // 1/4 sqrt(5/pi)
+    const float a_2_0 = 0.9461747;   // 3/4 sqrt(5/pi)
+    const float k_2_1 = 1.0925485;   // 1/2 sqrt(15/pi)
+    const float k_2_2 = 0.54627424;  // 1/4 sqrt(15/pi)
 
-    result[0] = k_0_0;                                  // l=0 m=0
-    result[2] = k_1_1 * z;                              // l=1 m=0
-    float x2 = x * x;
-    float y2 = y * y;
-    result[8] = k_2_2c * (x2 - y2);                     // l=2 m=2
-    float t_2_1 = k_2_1 * z;
-    result[6] = a_2_00 * (z * z - (x2 + y2)) + b_2_00;  // l=2 m=0
-    float y_1_1c = k_1_1 * x;
-    result[3] = y_1_1c;                                 // l=1 m=1
-    result[7] = t_2_1 * y_1_1c;                         // l=2 m=1
-    result[4] = k_2_2s * x * y;                         // l=2 m=-2
-    float y_1_1s = k_1_1 * y;
-    result[1] = y_1_1s;                                 // l=1 m=-1
-    result[5] = t_2_1 * y_1_1s;                         // l=2 m=-1
+    result[0] = k_0_0;                    // l=0 m=0
+    result[2] = k_1_0 * z;                // l=1 m=0
+    result[6] = a_2_0 * z * z - b_2_0;    // l=2 m=0
+    float p_2_1 = k_2_1 * z;
+    result[1] = k_1_0 * y;                // l=1 m=-1
+    result[3] = k_1_0 * x;                // l=1 m=1
+    result[5] = p_2_1 * y;                // l=2 m=-1
+    result[7] = p_2_1 * x;                // l=2 m=1
+    result[4] = k_2_1 * x * y;            // l=2 m=-2
+    result[8] = k_2_2 * (x * x - y * y);  // l=2 m=2
 }

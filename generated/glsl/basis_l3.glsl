@@ -6,74 +6,62 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       result (16): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       chebyshev
-// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
-// Cost:         25 multiplications, 10 additions; longest chain 6; at most 10 values live
+// Recipe:       recurrence
+// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
+// Cost:         27 multiplications, 7 additions; longest chain 5; at most 5 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 3.8e-07 (4.2 eps)  largest seen 2.3e-07 (2.6 eps)
+//               float   rounding  at most 2.4e-07 (2.7 eps)  largest seen 1.5e-07 (1.6 eps)
 //                       total                                largest seen 2.2e-07 (2.5 eps)
-//               double  rounding  at most 6.5e-16 (4.0 eps)  largest seen 3.6e-16 (2.2 eps)
-//                       total                                largest seen 5.1e-16 (3.1 eps)
+//               double  rounding  at most 4.5e-16 (2.7 eps)  largest seen 2.9e-16 (1.7 eps)
+//                       total                                largest seen 8.5e-16 (5.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
 //               or without contraction
 //               total:    against the exact function at the input scaled to length 1
 //               seen:     among 1110 directions (random, axes, poles, near poles) and 262144 evaluations of a search,
 //               without contraction
-//               worst:    float x, y, z = -0.0024596485, -0.99980503, 0.019591685
-//                         double x, y, z = -0.9999999917546769, 0.00012822076174990078, -7.076892492363639e-06
+//               worst:    float x, y, z = 0.10630787, -0.02343279, 0.9940571
+//                         double x, y, z = -0.0015271417064982003, -1.557281755267804e-08, 0.9999988339184241
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;
 #endif
 
 void basis_l3(float x, float y, float z, out float result[16]) {
-    const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
-    const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
-    const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
-    const float b_3_3  = 1.2076148;   // 1/12 sqrt(210)
-    const float a_3_3  = 2.4152296;   // 1/6 sqrt(210)
-    const float one    = 1.0;         // 1
-    const float k_3_2  = 2.6457512;   // sqrt(7)
-    const float k_2_1  = 2.236068;    // sqrt(5)
-    const float a_3_10 = 2.3385358;   // 5/8 sqrt(14)
-    const float b_3_10 = 1.4031215;   // 3/8 sqrt(14)
-    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float a_2_00 = 0.47308734;  // 3/8 sqrt(5/pi)
-    const float b_2_00 = 0.15769579;  // 1/8 sqrt(5/pi)
-    const float a_3_00 = 1.9094065;   // 5/12 sqrt(21)
-    const float b_3_00 = 0.3818813;   // 1/12 sqrt(21)
+    const float k_0_0 = 0.2820948;   // 1/2 sqrt(1/pi)
+    const float k_1_0 = 0.48860252;  // 1/2 sqrt(3/pi)
+    const float b_2_0 = 0.31539157;  // 1/4 sqrt(5/pi)
+    const float a_2_0 = 0.9461747;   // 3/4 sqrt(5/pi)
+    const float a_3_0 = 1.8658817;   // 5/4 sqrt(7/pi)
+    const float b_3_0 = 1.119529;    // 3/4 sqrt(7/pi)
+    const float k_2_1 = 1.0925485;   // 1/2 sqrt(15/pi)
+    const float b_3_1 = 0.4570458;   // 1/8 sqrt(42/pi)
+    const float a_3_1 = 2.285229;    // 5/8 sqrt(42/pi)
+    const float k_2_2 = 0.54627424;  // 1/4 sqrt(15/pi)
+    const float k_3_2 = 1.4453057;   // 1/4 sqrt(105/pi)
+    const float k_3_3 = 0.5900436;   // 1/8 sqrt(70/pi)
 
-    result[0] = k_0_0;                           // l=0 m=0
-    float x2 = x * x;
-    float y2 = y * y;
-    float xy2 = x2 + y2;
+    result[0] = k_0_0;                       // l=0 m=0
+    result[2] = k_1_0 * z;                   // l=1 m=0
+    result[1] = k_1_0 * y;                   // l=1 m=-1
+    result[3] = k_1_0 * x;                   // l=1 m=1
     float z2 = z * z;
-    float y_1_1c = k_1_1 * x;
-    result[3] = y_1_1c;                          // l=1 m=1
-    float y_1_1s = k_1_1 * y;
-    result[1] = y_1_1s;                          // l=1 m=-1
-    float y_2_2s = k_2_2s * x * y;
-    result[4] = y_2_2s;                          // l=2 m=-2
-    float t = x2 - y2;
-    float y_2_2c = k_2_2c * t;
-    result[8] = y_2_2c;                          // l=2 m=2
-    float t_2 = b_3_3 * xy2;
-    float t_3 = a_3_3 * t;
-    result[15] = y_1_1c * (t_3 - t_2);           // l=3 m=3
-    result[9] = y_1_1s * (t_3 + t_2);            // l=3 m=-3
-    float u = z2 - xy2;
-    float t_3_2 = k_3_2 * z;
-    float t_2_1 = k_2_1 * z;
-    float p_3_1 = a_3_10 * (z2 + z2 - one) + b_3_10;
-    float t_1_0 = k_1_1 * z;
-    result[2] = t_1_0;                           // l=1 m=0
-    result[6] = a_2_00 * u + b_2_00;             // l=2 m=0
-    result[10] = t_3_2 * y_2_2s;                 // l=3 m=-2
-    result[14] = t_3_2 * y_2_2c;                 // l=3 m=2
-    result[5] = t_2_1 * y_1_1s;                  // l=2 m=-1
-    result[7] = t_2_1 * y_1_1c;                  // l=2 m=1
-    result[11] = p_3_1 * y_1_1s;                 // l=3 m=-1
-    result[13] = p_3_1 * y_1_1c;                 // l=3 m=1
-    result[12] = (a_3_00 * u - b_3_00) * t_1_0;  // l=3 m=0
+    result[6] = a_2_0 * z2 - b_2_0;          // l=2 m=0
+    result[12] = z * (a_3_0 * z2 - b_3_0);   // l=3 m=0
+    float p_3_1 = a_3_1 * z2 - b_3_1;
+    result[11] = p_3_1 * y;                  // l=3 m=-1
+    result[13] = p_3_1 * x;                  // l=3 m=1
+    float p_2_1 = k_2_1 * z;
+    result[5] = p_2_1 * y;                   // l=2 m=-1
+    result[7] = p_2_1 * x;                   // l=2 m=1
+    float p_3_2 = k_3_2 * z;
+    float c2 = x * x - y * y;
+    result[8] = k_2_2 * c2;                  // l=2 m=2
+    result[14] = p_3_2 * c2;                 // l=3 m=2
+    float xy = x * y;
+    float s2 = xy + xy;
+    result[10] = p_3_2 * s2;                 // l=3 m=-2
+    result[4] = k_2_2 * s2;                  // l=2 m=-2
+    result[9] = k_3_3 * (x * s2 + y * c2);   // l=3 m=-3
+    result[15] = k_3_3 * (x * c2 - y * s2);  // l=3 m=3
 }

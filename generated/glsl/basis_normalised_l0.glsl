@@ -6,8 +6,9 @@
 // Input:        x, y, z
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       result (1): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       chebyshev
-// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Recipe:       parity
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
 // Cost:         0 multiplications, 0 additions; longest chain 0; at most 0 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
 //               float   rounding  at most 0.5 eps  largest seen 1.5e-08 (0.4 eps)

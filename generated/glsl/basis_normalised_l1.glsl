@@ -6,8 +6,9 @@
 // Input:        x, y, z
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       result (4): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       chebyshev
-// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Recipe:       parity
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
 // Cost:         9 multiplications, 2 additions, 1 divisions, 1 square roots; longest chain 6; at most 5 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
 //               float   rounding  at most 2.9 eps  largest seen 1.2e-07 (2.0 eps)

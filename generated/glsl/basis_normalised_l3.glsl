@@ -6,19 +6,20 @@
 // Input:        x, y, z
 // Domain:       d = (x, y, z) finite, not zero, |d|^2 neither over- nor underflows; z is the polar axis
 // Output:       result (16): Y_lm(d/|d|) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       chebyshev
-// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
-// Cost:         31 multiplications, 12 additions, 1 divisions, 1 square roots; longest chain 12; at most 10 values live
+// Recipe:       parity
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
+// Cost:         30 multiplications, 10 additions, 1 divisions, 1 square roots; longest chain 11; at most 9 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 10.6 eps  largest seen 4.5e-07 (5.1 eps)
-//               double  rounding  at most 10.5 eps  largest seen 9.5e-16 (5.7 eps)
+//               float   rounding  at most 16.3 eps  largest seen 7.5e-07 (8.4 eps)
+//               double  rounding  at most 16.4 eps  largest seen 1.5e-15 (9.3 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
 //               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = -2.061326e-06, -2.1170881e-06, -4.7629896e-05
-//                         double x, y, z = -0.03023312695825768, 4.376504379868707e-06, -16.0150851940798
+//               worst:    float x, y, z = 0.00032663744, -5.9604645e-08, 0.0017197559
+//                         double x, y, z = 0.4863215667260033, -0.11760568426007265, -64.16657671056899
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;
@@ -33,48 +34,44 @@ void basis_normalised_l3(float x, float y, float z, out float result[16]) {
     const float a_3_3  = 2.4152296;   // 1/6 sqrt(210)
     const float k_3_2  = 2.6457512;   // sqrt(7)
     const float k_2_1  = 2.236068;    // sqrt(5)
-    const float a_3_10 = 2.3385358;   // 5/8 sqrt(14)
-    const float b_3_10 = 1.4031215;   // 3/8 sqrt(14)
+    const float a_3_1  = 4.6770716;   // 5/4 sqrt(14)
+    const float b_3_1  = 0.9354144;   // 1/4 sqrt(14)
     const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float a_2_00 = 0.47308734;  // 3/8 sqrt(5/pi)
-    const float b_2_00 = 0.15769579;  // 1/8 sqrt(5/pi)
-    const float a_3_00 = 1.9094065;   // 5/12 sqrt(21)
-    const float b_3_00 = 0.3818813;   // 1/12 sqrt(21)
+    const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
+    const float b_2_0  = 0.31539157;  // 1/4 sqrt(5/pi)
+    const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
+    const float b_3_0  = 2.291288;    // 1/2 sqrt(21)
 
-    result[0] = k_0_0;                           // l=0 m=0
+    result[0] = k_0_0;                          // l=0 m=0
     float inverse = one / sqrt(x * x + y * y + z * z);
     float nx = x * inverse;
     float ny = y * inverse;
     float nz = z * inverse;
-    float x2 = nx * nx;
-    float y2 = ny * ny;
-    float xy2 = x2 + y2;
     float z2 = nz * nz;
+    float t = b_3_3 * (one - z2);
     float y_1_1c = k_1_1 * nx;
-    result[3] = y_1_1c;                          // l=1 m=1
+    result[3] = y_1_1c;                         // l=1 m=1
     float y_1_1s = k_1_1 * ny;
-    result[1] = y_1_1s;                          // l=1 m=-1
+    result[1] = y_1_1s;                         // l=1 m=-1
     float y_2_2s = k_2_2s * nx * ny;
-    result[4] = y_2_2s;                          // l=2 m=-2
-    float t = x2 - y2;
-    float y_2_2c = k_2_2c * t;
-    result[8] = y_2_2c;                          // l=2 m=2
-    float t_2 = b_3_3 * xy2;
-    float t_3 = a_3_3 * t;
-    result[15] = y_1_1c * (t_3 - t_2);           // l=3 m=3
-    result[9] = y_1_1s * (t_3 + t_2);            // l=3 m=-3
-    float u = z2 - xy2;
+    result[4] = y_2_2s;                         // l=2 m=-2
+    float t_2 = (nx - ny) * (nx + ny);
+    float y_2_2c = k_2_2c * t_2;
+    result[8] = y_2_2c;                         // l=2 m=2
+    float t_3 = a_3_3 * t_2;
+    result[15] = y_1_1c * (t_3 - t);            // l=3 m=3
+    result[9] = y_1_1s * (t_3 + t);             // l=3 m=-3
     float t_3_2 = k_3_2 * nz;
+    result[10] = t_3_2 * y_2_2s;                // l=3 m=-2
+    result[14] = t_3_2 * y_2_2c;                // l=3 m=2
     float t_2_1 = k_2_1 * nz;
-    float p_3_1 = a_3_10 * (z2 + z2 - one) + b_3_10;
     float t_1_0 = k_1_1 * nz;
-    result[2] = t_1_0;                           // l=1 m=0
-    result[6] = a_2_00 * u + b_2_00;             // l=2 m=0
-    result[10] = t_3_2 * y_2_2s;                 // l=3 m=-2
-    result[14] = t_3_2 * y_2_2c;                 // l=3 m=2
-    result[5] = t_2_1 * y_1_1s;                  // l=2 m=-1
-    result[7] = t_2_1 * y_1_1c;                  // l=2 m=1
-    result[11] = p_3_1 * y_1_1s;                 // l=3 m=-1
-    result[13] = p_3_1 * y_1_1c;                 // l=3 m=1
-    result[12] = (a_3_00 * u - b_3_00) * t_1_0;  // l=3 m=0
+    result[2] = t_1_0;                          // l=1 m=0
+    result[5] = t_2_1 * y_1_1s;                 // l=2 m=-1
+    result[7] = t_2_1 * y_1_1c;                 // l=2 m=1
+    float p_3_1 = a_3_1 * z2 - b_3_1;
+    result[11] = p_3_1 * y_1_1s;                // l=3 m=-1
+    result[13] = p_3_1 * y_1_1c;                // l=3 m=1
+    result[6] = a_2_0 * z2 - b_2_0;             // l=2 m=0
+    result[12] = (a_3_0 * z2 - b_3_0) * t_1_0;  // l=3 m=0
 }

@@ -196,17 +196,23 @@ void SphereTransform::to_orders(std::span<const double> map, std::span<const dou
   const std::size_t count = std::min(kAtOnce, rings() - ring);
   TaskRings of(around_);
   for (std::size_t first = 0; first < count; first += Lanes::kCount) {
-    of.to_spectrum(&map[(ring + first) * around_], count - first);
+    const std::size_t here = std::min(count - first, Lanes::kCount);
+    const Lanes weight = Lanes::of([&](std::size_t i) { return i < here ? weights[ring + first + i] : 0.0; });
+    of.to_spectrum(&map[(ring + first) * around_], here);
     for (std::size_t m = 0; m < wave_.size(); ++m) {
       const Wave& w = wave_[m];
       const Lanes& real = of.at(w.frequency).real();
       const Lanes& imaginary = of.at(w.frequency).imag();
-      const Lanes c = real * w.p + imaginary * w.r, s = real * w.q - imaginary * w.t;
+      const Lanes c = weight * (real * w.p + imaginary * w.r), s = weight * (real * w.q - imaginary * w.t);
       double* const sums = &orders[2 * (m * rings() + ring + first)];
-      for (std::size_t i = 0; i < std::min(count - first, Lanes::kCount); ++i) {
-        sums[2 * i] = weights[ring + first + i] * c[i];
-        sums[2 * i + 1] = weights[ring + first + i] * s[i];
-      }
+      const auto keep = [&](std::size_t lanes) {
+        for (std::size_t i = 0; i < lanes; ++i) {
+          sums[2 * i] = c[i];
+          sums[2 * i + 1] = s[i];
+        }
+      };
+      // For a number that it does not know, clang would take the lanes from memory.
+      here == Lanes::kCount ? keep(Lanes::kCount) : keep(here);
     }
   }
 }

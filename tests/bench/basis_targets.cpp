@@ -87,7 +87,7 @@ void batched(Table& table) {
     const std::string what = "batch basis, degree " + std::to_string(kDegree);
     const double each = kNano / static_cast<double>(n);
     table.ratio(what, "ns", t[0] * each, t[1] * each, "recurrence", kDegree < 5 ? 1.0 : 0.95);
-    table.ratio(what, "ns", t[0] * each, std::max(store, fma) * kNano, store > fma ? "stores" : "multiply-adds", 1.4);
+    table.ratio(what, "ns", t[0] * each, std::max(store, fma) * kNano, store > fma ? "stores" : "multiply-adds", 1.05);
     table.cell("basis, a direction of a batch", kDegree, t[0] * each);
     table.cell("the recurrence on 16 lanes", kDegree, t[1] * each);
     table.cell("filling the output alone", kDegree, store * kNano);

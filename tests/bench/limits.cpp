@@ -28,7 +28,8 @@ std::function<void()> fill_task(float* values, std::size_t count) {
   return [values, count] {
     const Block one = Block{} + 1.F;
     auto* to = reinterpret_cast<Block*>(values);
-    for (std::size_t i = 0; i < count / kLanes; ++i) to[i] = one;
+    const std::size_t blocks = count / kLanes;
+    for (std::size_t i = 0; i < blocks; ++i) to[i] = one;
     keep(*values);
   };
 }

@@ -220,8 +220,8 @@ TEST(Printers, SayWhatAReaderNeeds) {
     const std::string text = language.print_kernel(finished, print::Scalar::kFloat);
     for (const std::string& part :
          {"shgen emit basis --degree 2 --lang " + language.name, std::string("MIT-0"), std::string("|d| = 1"),
-          std::string("Chebyshev"), std::string("13 multiplications, 4 additions"), std::string("rounding"),
-          std::string("total"), std::string("// l=2 m=-1"), std::string("// 3/8 sqrt(5/pi)")}) {
+          std::string("Sloan"), std::string("13 multiplications, 2 additions"), std::string("rounding"),
+          std::string("total"), std::string("// l=2 m=-1"), std::string("// 3/4 sqrt(5/pi)")}) {
       EXPECT_NE(text.find(part), std::string::npos) << language.name << ": " << part;
     }
   }
