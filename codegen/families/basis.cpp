@@ -99,7 +99,7 @@ std::vector<Family> basis_families() {
                    {"parity-least", recipes::basis_parity_least, 0, 20, false}},
        .reference = basis_reference,
        .domain = direction_domain(),
-       .batch = BatchDriver{.what = "Values of the real spherical harmonics", .groups = true, .narrow = 9},
+       .batch = BatchDriver{.what = "Values of the real spherical harmonics", .groups = true},
        .promises = promises()},
       {.name = "basis_gradient",
        .recipes = {{"ladder", recipes::basis_gradient_ladder},

@@ -73,8 +73,6 @@ struct BatchDriver {
   bool groups =
       false;         ///< true: plain records go through registers in groups (runtime/groups.hpp); for kernels of + - *
   int largest = 10;  ///< the largest degree; beyond it a driver does not justify its compile time
-  /// The largest degree at which 8 lanes are faster than 16 on processors that work on those in two halves; -1: none.
-  int narrow = -1;
 };
 
 /// A family of kernels, one for each degree.

@@ -55,32 +55,6 @@ std::string size_in_code(int size, int degree) {
   return size % count == 0 ? "{" + std::to_string(size / count) + ", 0}" : "{0, " + std::to_string(size) + "}";
 }
 
-// The names of a table of every instruction set and of that with the narrow ones.
-struct Tables {
-  std::string every;
-  std::string narrow;
-};
-
-Tables direct_tables(const Driver& driver, const Overload& types) {
-  const std::string name = "detail::" + table_of_direct(driver, types.scalar);
-  return {name, name + "_narrow"};
-}
-
-const Tables kRuns{"kEvery", "kNarrow"};
-
-// "degree <= 9 ? kNarrow : kEvery"
-std::string chosen(const Driver& driver, const Tables& tables) {
-  if (driver.spec.narrow < 0) return tables.every;
-  return "degree <= " + std::to_string(driver.spec.narrow) + " ? " + tables.narrow + " : " + tables.every;
-}
-
-// `type` kEvery[] = SH_BATCH_EVERY(`name`); the same of kNarrow if the driver has it.
-std::string definitions(const Driver& driver, const Tables& tables, const std::string& type, const std::string& name) {
-  std::string text = type + " " + tables.every + "[] = SH_BATCH_EVERY(" + name + ");\n";
-  if (driver.spec.narrow >= 0) text += type + " " + tables.narrow + "[] = SH_BATCH_NARROW(" + name + ");\n";
-  return text;
-}
-
 bool is_direct(const Driver& driver, const Overload& types) { return driver.spec.groups && types.first != "Half"; }
 
 // AnyCall of direct.hpp.
@@ -132,14 +106,13 @@ std::string direct_function(const Driver& driver, const Overload& types) {
   if (!detail::are_given($out$inputs)) return detail::run_any<$t>(detail::run_$name, degree, n, $out$inputs);
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, $out$inputs)) {
 $loops  }
-  const auto* every = $every;
-  detail::run_direct<$t>(every, detail::run_$name, degree, $degree, n, $out$inputs);
+  detail::run_direct<$t>(detail::$table, detail::run_$name, degree, $degree, n, $out$inputs);
 }
 )",
                 {{"signature", public_signature(driver, types)},
                  {"loops", loops},
                  {"t", types.scalar},
-                 {"every", chosen(driver, direct_tables(driver, types))},
+                 {"table", table_of_direct(driver, types.scalar)},
                  {"degree", std::to_string(driver.last().degree)},
                  {"name", driver.name},
                  {"out", s.out},
@@ -155,7 +128,7 @@ std::string direct_declarations(const std::vector<Driver>& drivers) {
       if (!is_direct(driver, types)) continue;
       const std::string name = table_of_direct(driver, types.scalar);
       const std::string type = "extern const DirectKernels<" + types.scalar + ">* const ";
-      text += type + name + "[];\n" + (driver.spec.narrow < 0 ? "" : type + name + "_narrow[];\n");
+      text += type + name + "[];\n";
       text += any_signature(driver, types.scalar) + ";\n";
     }
   }
@@ -236,7 +209,8 @@ std::string definition(const Driver& driver, const Overload& types) {
   std::string tables, signature = public_signature(driver, types), arguments = arguments_of(s, types.first == "Half");
   if (is_direct(driver, types)) {
     const std::string type = "const detail::DirectKernels<" + types.scalar + ">* const";
-    tables = definitions(driver, direct_tables(driver, types), type, table_of_direct(driver, types.scalar)) + "\n";
+    const std::string table = table_of_direct(driver, types.scalar);
+    tables = filled("$type detail::$table[] = SH_BATCH_EVERY($table);\n\n", {{"type", type}, {"table", table}});
     signature = any_signature(driver, types.scalar, "detail::");
     arguments = s.inputs.size() > 1 ? "{{a, layouts.a()}, {b, layouts.b()}}" : "{{a, layouts.a()}}";
     arguments += ", {out, layouts.out()}";
@@ -244,13 +218,12 @@ std::string definition(const Driver& driver, const Overload& types) {
   return filled(
       R"(
 $tables$signature {
-$every  detail::run<$t>("$name", $chosen, {degree, n, $arguments}, $count, $degree, $size);
+  static constexpr detail::Run<$t> kEvery[] = SH_BATCH_EVERY($name);
+  detail::run<$t>("$name", kEvery, {degree, n, $arguments}, $count, $degree, $size);
 }
 )",
       {{"tables", tables},
        {"signature", signature},
-       {"every", definitions(driver, kRuns, "  static constexpr detail::Run<" + types.scalar + ">", driver.name)},
-       {"chosen", chosen(driver, kRuns)},
        {"t", types.scalar},
        {"name", driver.name},
        {"arguments", arguments},

@@ -257,7 +257,7 @@ class Driver {
   T* room_ = memory_;
 };
 
-// Whether records can do without blocks.
+// Whether all records are plain.
 template <class T>
 bool is_plain(const detail::Call<T>& call, const Plan<T>& plan) {
   bool plain = call.out.layout == Layout::kPlain && call.half == nullptr;
@@ -265,12 +265,38 @@ bool is_plain(const detail::Call<T>& call, const Plan<T>& plan) {
   return plain;
 }
 
+// Whether all records stand in whole blocks on whole lines.
+template <class T>
+bool is_in_blocks(const detail::Call<T>& call, const Plan<T>& plan) {
+  const auto is_in_lines = [](const auto& records) {
+    return records.layout == Layout::kBlocked && reinterpret_cast<std::uintptr_t>(records.data) % detail::kLine == 0;
+  };
+  bool blocks = call.n % kBlock<T> == 0 && call.half == nullptr && is_in_lines(call.out);
+  for (int j = 0; j < plan.inputs; ++j) blocks = blocks && is_in_lines(call.in[j]);
+  return blocks;
+}
+
+template <class T>
+void run_blocks(const detail::Call<T>& call, const Plan<T>& plan) {
+  Blocks<T> blocks;
+  for (int j = 0; j < plan.inputs; ++j) {
+    blocks.in[j] = call.in[j].data;
+    blocks.step[j] = plan.in[j] * kBlock<T>;
+  }
+  blocks.out = call.out.data;
+  blocks.out_step = plan.out * kBlock<T>;
+  blocks.count = call.n / kBlock<T>;
+  plan.kernel(blocks);
+}
+
 }  // namespace
 
 template <class T>
 void drive(const detail::Call<T>& call, const Plan<T>& plan) {
-  if (plan.kernel_plain == nullptr || call.stream || !is_plain(call, plan)) return Driver<T>(call, plan).run();
-  plan.kernel_plain(call.in[0].data, call.in[1].data, call.n, call.out.data);
+  if (!call.stream && plan.kernel_plain != nullptr && is_plain(call, plan))
+    return plan.kernel_plain(call.in[0].data, call.in[1].data, call.n, call.out.data);
+  if (!call.stream && !plan.sums && is_in_blocks(call, plan)) return run_blocks(call, plan);
+  Driver<T>(call, plan).run();
 }
 template void drive(const detail::Call<float>&, const Plan<float>&);
 template void drive(const detail::Call<double>&, const Plan<double>&);

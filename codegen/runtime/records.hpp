@@ -63,8 +63,7 @@ enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
 
 /// Whether this build and this machine have it.
 bool available(InstructionSet set) noexcept;
-/// The one in use: the widest available unless the caller set another. Where AVX-512 works on its registers in two halves
-/// (AMD's Zen 4), functions that are faster on 8 lanes take the kernels of AVX2, with the same bits.
+/// The one in use: the widest available unless the caller set another.
 InstructionSet instruction_set() noexcept;
 /// Sets it for all later calls of this process. Throws std::invalid_argument when it is not available.
 void use_instruction_set(InstructionSet set);

@@ -10,9 +10,6 @@
 #if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
 #endif
-#if defined(SH_BATCH_X86)
-#include <cpuid.h>
-#endif
 
 namespace sh::batch {
 namespace {
@@ -35,22 +32,6 @@ InstructionSet widest() noexcept {
   return InstructionSet::kBaseline;
 }
 
-// Whether the processor has AVX-512 and works on its registers in two halves: AMD's family 19h (Zen 4).
-bool splits_registers() noexcept {
-#if defined(SH_BATCH_X86)
-  unsigned a = 0, b = 0, c = 0, d = 0;
-  const bool is_amd = __get_cpuid(0, &a, &b, &c, &d) != 0 && c == signature_AMD_ecx;
-  return is_amd && __get_cpuid(1, &a, &b, &c, &d) != 0 && (a >> 8 & 15) + (a >> 20 & 255) == 0x19;
-#else
-  return false;
-#endif
-}
-
-// The place of an instruction set in the tables of choice.hpp.
-int place_of(InstructionSet set) noexcept {
-  return static_cast<int>(set) + (set == InstructionSet::kAvx512 && splits_registers() ? 1 : 0);
-}
-
 [[noreturn]] void refuse(const char* function, const std::string& why) {
   throw std::invalid_argument(std::string("sh::batch::") + function + ": " + why);
 }
@@ -64,7 +45,7 @@ std::atomic<int> in_use{kNotChosen};
 int chosen() noexcept {
   int place = in_use;
   if (place == kNotChosen) {
-    const int best = place_of(widest());
+    const int best = static_cast<int>(widest());
     if (in_use.compare_exchange_strong(place, best)) place = best;  // unless another thread was first
   }
   return place;
@@ -111,15 +92,13 @@ bool available(InstructionSet set) noexcept {
 }
 
 InstructionSet instruction_set() noexcept {
-  constexpr int kLast = static_cast<int>(InstructionSet::kAvx512);
-  const int place = detail::chosen();
-  return static_cast<InstructionSet>(place < kLast ? place : kLast);
+  return static_cast<InstructionSet>(detail::chosen());
 }
 
 void use_instruction_set(InstructionSet set) {
   if (!available(set))
     refuse("use_instruction_set", "expected a set with available(set), got one that is not available");
-  detail::in_use = place_of(set);
+  detail::in_use = static_cast<int>(set);
 }
 
 }  // namespace sh::batch

@@ -6,17 +6,13 @@
 
 #include "direct.hpp"
 
-// {the driver or table of every instruction set}, in the order of InstructionSet; the last one: of AVX-512 where the
-// processor works on its registers in two halves. SH_BATCH_NARROW: of what is faster on 8 lanes there.
+// {the driver or table of every instruction set}, in the order of InstructionSet.
 #if defined(SH_BATCH_X86)
 #define SH_BATCH_EVERY(name) \
-  { baseline::name, avx2::name, avx512::name, avx512::name }
-#define SH_BATCH_NARROW(name) \
-  { baseline::name, avx2::name, avx512::name, avx2::name }
+  { baseline::name, avx2::name, avx512::name }
 #else
 #define SH_BATCH_EVERY(name) \
   { baseline::name }
-#define SH_BATCH_NARROW(name) SH_BATCH_EVERY(name)
 #endif
 
 namespace sh::batch::detail {

@@ -126,21 +126,17 @@ void relight_colored(const detail::Call<T>& call);
 }  // namespace avx512
 
 const detail::DirectKernels<float>* const detail::basis_float[] = SH_BATCH_EVERY(basis_float);
-const detail::DirectKernels<float>* const detail::basis_float_narrow[] = SH_BATCH_NARROW(basis_float);
 
 void detail::run_basis(int degree, std::size_t n, const float* a, const float* /*b*/, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(basis);
-  static constexpr detail::Run<float> kNarrow[] = SH_BATCH_NARROW(basis);
-  detail::run<float>("basis", degree <= 9 ? kNarrow : kEvery, {degree, n, {{a, layouts.a()}}, {out, layouts.out()}}, 1, 10, {1, 0});
+  detail::run<float>("basis", kEvery, {degree, n, {{a, layouts.a()}}, {out, layouts.out()}}, 1, 10, {1, 0});
 }
 
 const detail::DirectKernels<double>* const detail::basis_double[] = SH_BATCH_EVERY(basis_double);
-const detail::DirectKernels<double>* const detail::basis_double_narrow[] = SH_BATCH_NARROW(basis_double);
 
 void detail::run_basis(int degree, std::size_t n, const double* a, const double* /*b*/, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(basis);
-  static constexpr detail::Run<double> kNarrow[] = SH_BATCH_NARROW(basis);
-  detail::run<double>("basis", degree <= 9 ? kNarrow : kEvery, {degree, n, {{a, layouts.a()}}, {out, layouts.out()}}, 1, 10, {1, 0});
+  detail::run<double>("basis", kEvery, {degree, n, {{a, layouts.a()}}, {out, layouts.out()}}, 1, 10, {1, 0});
 }
 
 const detail::DirectKernels<float>* const detail::basis_gradient_float[] = SH_BATCH_EVERY(basis_gradient_float);

@@ -23,10 +23,8 @@ template <int Degree, class T>
   }
 }
 extern const DirectKernels<float>* const basis_float[];
-extern const DirectKernels<float>* const basis_float_narrow[];
 void run_basis(int degree, std::size_t n, const float* a, const float* /*b*/, float* out, Layouts layouts);
 extern const DirectKernels<double>* const basis_double[];
-extern const DirectKernels<double>* const basis_double_narrow[];
 void run_basis(int degree, std::size_t n, const double* a, const double* /*b*/, double* out, Layouts layouts);
 template <int Degree, class T>
 [[gnu::always_inline]] inline void loop_basis_gradient(std::size_t n, const T* directions, T* to) {
@@ -76,8 +74,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
     if (degree == 0) return detail::loop_basis<0>(n, directions.data, out.data);
     if (degree == 1) return detail::loop_basis<1>(n, directions.data, out.data);
   }
-  const auto* every = degree <= 9 ? detail::basis_float_narrow : detail::basis_float;
-  detail::run_direct<float>(every, detail::run_basis, degree, 10, n, out, directions);
+  detail::run_direct<float>(detail::basis_float, detail::run_basis, degree, 10, n, out, directions);
 }
 [[gnu::always_inline]] inline void basis(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
   if (!detail::are_given(out, directions)) return detail::run_any<double>(detail::run_basis, degree, n, out, directions);
@@ -85,8 +82,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
     if (degree == 0) return detail::loop_basis<0>(n, directions.data, out.data);
     if (degree == 1) return detail::loop_basis<1>(n, directions.data, out.data);
   }
-  const auto* every = degree <= 9 ? detail::basis_double_narrow : detail::basis_double;
-  detail::run_direct<double>(every, detail::run_basis, degree, 10, n, out, directions);
+  detail::run_direct<double>(detail::basis_double, detail::run_basis, degree, 10, n, out, directions);
 }
 
 /// Values and Cartesian gradient of the solid harmonics: values, d/dx, d/dy, d/dz.
@@ -98,8 +94,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
     if (degree == 0) return detail::loop_basis_gradient<0>(n, directions.data, out.data);
     if (degree == 1) return detail::loop_basis_gradient<1>(n, directions.data, out.data);
   }
-  const auto* every = detail::basis_gradient_float;
-  detail::run_direct<float>(every, detail::run_basis_gradient, degree, 10, n, out, directions);
+  detail::run_direct<float>(detail::basis_gradient_float, detail::run_basis_gradient, degree, 10, n, out, directions);
 }
 [[gnu::always_inline]] inline void basis_gradient(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
   if (!detail::are_given(out, directions)) return detail::run_any<double>(detail::run_basis_gradient, degree, n, out, directions);
@@ -107,8 +102,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
     if (degree == 0) return detail::loop_basis_gradient<0>(n, directions.data, out.data);
     if (degree == 1) return detail::loop_basis_gradient<1>(n, directions.data, out.data);
   }
-  const auto* every = detail::basis_gradient_double;
-  detail::run_direct<double>(every, detail::run_basis_gradient, degree, 10, n, out, directions);
+  detail::run_direct<double>(detail::basis_gradient_double, detail::run_basis_gradient, degree, 10, n, out, directions);
 }
 
 /// Functions given by coefficients, at directions.
@@ -119,16 +113,14 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
     if (degree == 0) return detail::loop_evaluate<0>(n, c.data, directions.data, out.data);
   }
-  const auto* every = detail::evaluate_float;
-  detail::run_direct<float>(every, detail::run_evaluate, degree, 10, n, out, c, directions);
+  detail::run_direct<float>(detail::evaluate_float, detail::run_evaluate, degree, 10, n, out, c, directions);
 }
 [[gnu::always_inline]] inline void evaluate(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
   if (!detail::are_given(out, c, directions)) return detail::run_any<double>(detail::run_evaluate, degree, n, out, c, directions);
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
     if (degree == 0) return detail::loop_evaluate<0>(n, c.data, directions.data, out.data);
   }
-  const auto* every = detail::evaluate_double;
-  detail::run_direct<double>(every, detail::run_evaluate, degree, 10, n, out, c, directions);
+  detail::run_direct<double>(detail::evaluate_double, detail::run_evaluate, degree, 10, n, out, c, directions);
 }
 void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out);
 
@@ -140,16 +132,14 @@ void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const fl
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
     if (degree == 0) return detail::loop_evaluate_rgb<0>(n, c.data, directions.data, out.data);
   }
-  const auto* every = detail::evaluate_rgb_float;
-  detail::run_direct<float>(every, detail::run_evaluate_rgb, degree, 10, n, out, c, directions);
+  detail::run_direct<float>(detail::evaluate_rgb_float, detail::run_evaluate_rgb, degree, 10, n, out, c, directions);
 }
 [[gnu::always_inline]] inline void evaluate_rgb(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
   if (!detail::are_given(out, c, directions)) return detail::run_any<double>(detail::run_evaluate_rgb, degree, n, out, c, directions);
   if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
     if (degree == 0) return detail::loop_evaluate_rgb<0>(n, c.data, directions.data, out.data);
   }
-  const auto* every = detail::evaluate_rgb_double;
-  detail::run_direct<double>(every, detail::run_evaluate_rgb, degree, 10, n, out, c, directions);
+  detail::run_direct<double>(detail::evaluate_rgb_double, detail::run_evaluate_rgb, degree, 10, n, out, c, directions);
 }
 void evaluate_rgb(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out);
 

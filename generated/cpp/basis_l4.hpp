@@ -6,22 +6,22 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       out (25): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       chebyshev
-// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
-// Cost:         41 multiplications, 18 additions; longest chain 8; at most 11 values live
+// Recipe:       recurrence
+// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
+// Cost:         46 multiplications, 12 additions; longest chain 7; at most 7 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 4.3e-07 (4.2 eps)  largest seen 2.6e-07 (2.6 eps)
-//                       total                                largest seen 2.9e-07 (2.9 eps)
-//               double  rounding  at most 8.0e-16 (4.3 eps)  largest seen 4.7e-16 (2.5 eps)
-//                       total                                largest seen 7.2e-16 (3.8 eps)
+//               float   rounding  at most 6.7e-07 (6.6 eps)  largest seen 3.9e-07 (3.8 eps)
+//                       total                                largest seen 4.9e-07 (4.8 eps)
+//               double  rounding  at most 1.4e-15 (7.1 eps)  largest seen 8.3e-16 (4.4 eps)
+//                       total                                largest seen 1.7e-15 (9.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
 //               or without contraction
 //               total:    against the exact function at the input scaled to length 1
 //               seen:     among 1110 directions (random, axes, poles, near poles) and 262144 evaluations of a search,
 //               without contraction
-//               worst:    float x, y, z = 0.8532054, 0.0032800362, -0.5215648
-//                         double x, y, z = 2.469928990109269e-07, 0.9999997480890941, 0.0007098039782018623
+//               worst:    float x, y, z = -0.027807305, -0.091369934, -0.9954287
+//                         double x, y, z = 0.0002423023014844021, 0.0014795602496947009, 0.9999988760948996
 #pragma once
 
 #include <type_traits>
@@ -60,81 +60,66 @@ namespace sh {
 
 template <class T>
 constexpr void basis_l4(T x, T y, T z, T* out) noexcept {
-  const T k_1_1  = detail::constant<T>(0.48860252f, 0.4886025119029199);   // 1/2 sqrt(3/pi)
-  const T k_2_2s = detail::constant<T>(1.0925485f, 1.0925484305920792);    // 1/2 sqrt(15/pi)
-  const T k_2_2c = detail::constant<T>(0.54627424f, 0.5462742152960396);   // 1/4 sqrt(15/pi)
-  const T b_3_3  = detail::constant<T>(1.2076148f, 1.20761472884912);      // 1/12 sqrt(210)
-  const T a_3_3  = detail::constant<T>(2.4152296f, 2.41522945769824);      // 1/6 sqrt(210)
-  const T k_4_4s = detail::constant<T>(4.1943913f, 4.194391357527674);     // 2/5 sqrt(35) pi^(1/2)
-  const T k_4_4c = detail::constant<T>(2.0971956f, 2.097195678763837);     // 1/5 sqrt(35) pi^(1/2)
-  const T one    = detail::constant<T>(1.0f, 1.0);                         // 1
-  const T k_4_3  = detail::constant<T>(3.0f, 3.0);                         // 3
-  const T k_3_2  = detail::constant<T>(2.6457512f, 2.6457513110645907);    // sqrt(7)
-  const T a_4_20 = detail::constant<T>(3.0310888f, 3.031088913245535);     // 7/4 sqrt(3)
-  const T b_4_20 = detail::constant<T>(2.1650636f, 2.165063509461097);     // 5/4 sqrt(3)
-  const T k_2_1  = detail::constant<T>(2.236068f, 2.23606797749979);       // sqrt(5)
-  const T a_3_10 = detail::constant<T>(2.3385358f, 2.3385358667337135);    // 5/8 sqrt(14)
-  const T b_3_10 = detail::constant<T>(1.4031215f, 1.403121520040228);     // 3/8 sqrt(14)
-  const T a_4_10 = detail::constant<T>(2.1433036f, 2.143303524935281);     // 7/8 sqrt(6)
-  const T b_4_10 = detail::constant<T>(0.30618623f, 0.30618621784789724);  // 1/8 sqrt(6)
-  const T k_0_0  = detail::constant<T>(0.2820948f, 0.28209479177387814);   // 1/2 sqrt(1/pi)
-  const T a_2_00 = detail::constant<T>(0.47308734f, 0.47308734787878);     // 3/8 sqrt(5/pi)
-  const T b_2_00 = detail::constant<T>(0.15769579f, 0.15769578262626);     // 1/8 sqrt(5/pi)
-  const T a_3_00 = detail::constant<T>(1.9094065f, 1.9094065395649333);    // 5/12 sqrt(21)
-  const T b_3_00 = detail::constant<T>(0.3818813f, 0.3818813079129867);    // 1/12 sqrt(21)
-  const T b_4_01 = detail::constant<T>(0.46281177f, 0.46281176775401883);  // 105/128 sqrt(1/pi)
-  const T a_4_00 = detail::constant<T>(0.26446387f, 0.26446386728801075);  // 15/32 sqrt(1/pi)
-  const T b_4_00 = detail::constant<T>(0.11900874f, 0.11900874027960484);  // 27/128 sqrt(1/pi)
+  const T k_0_0 = detail::constant<T>(0.2820948f, 0.28209479177387814);  // 1/2 sqrt(1/pi)
+  const T k_1_0 = detail::constant<T>(0.48860252f, 0.4886025119029199);  // 1/2 sqrt(3/pi)
+  const T b_2_0 = detail::constant<T>(0.31539157f, 0.31539156525252);    // 1/4 sqrt(5/pi)
+  const T a_2_0 = detail::constant<T>(0.9461747f, 0.94617469575756);     // 3/4 sqrt(5/pi)
+  const T a_3_0 = detail::constant<T>(1.8658817f, 1.865881662950577);    // 5/4 sqrt(7/pi)
+  const T b_3_0 = detail::constant<T>(1.119529f, 1.1195289977703462);    // 3/4 sqrt(7/pi)
+  const T a_4_0 = detail::constant<T>(1.9843135f, 1.984313483298443);    // 3/4 sqrt(7)
+  const T b_4_0 = detail::constant<T>(1.0062306f, 1.0062305898749053);   // 9/20 sqrt(5)
+  const T k_2_1 = detail::constant<T>(1.0925485f, 1.0925484305920792);   // 1/2 sqrt(15/pi)
+  const T b_3_1 = detail::constant<T>(0.4570458f, 0.4570457994644657);   // 1/8 sqrt(42/pi)
+  const T a_3_1 = detail::constant<T>(2.285229f, 2.2852289973223288);    // 5/8 sqrt(42/pi)
+  const T a_4_1 = detail::constant<T>(4.683326f, 4.683325804901024);     // 21/8 sqrt(10/pi)
+  const T b_4_1 = detail::constant<T>(2.0071397f, 2.0071396306718676);   // 9/8 sqrt(10/pi)
+  const T k_2_2 = detail::constant<T>(0.54627424f, 0.5462742152960396);  // 1/4 sqrt(15/pi)
+  const T k_3_2 = detail::constant<T>(1.4453057f, 1.4453057213202771);   // 1/4 sqrt(105/pi)
+  const T b_4_2 = detail::constant<T>(0.47308734f, 0.47308734787878);    // 3/8 sqrt(5/pi)
+  const T a_4_2 = detail::constant<T>(3.3116114f, 3.3116114351514603);   // 21/8 sqrt(5/pi)
+  const T k_3_3 = detail::constant<T>(0.5900436f, 0.5900435899266435);   // 1/8 sqrt(70/pi)
+  const T k_4_3 = detail::constant<T>(1.7701308f, 1.7701307697799304);   // 3/8 sqrt(70/pi)
+  const T k_4_4 = detail::constant<T>(0.6258357f, 0.6258357354491761);   // 3/16 sqrt(35/pi)
 
-  out[0] = k_0_0;                                                  // l=0 m=0
-  const T x2 = x * x;
-  const T y2 = y * y;
-  const T xy2 = x2 + y2;
-  const T t = x2 - y2;
+  out[0] = k_0_0;                               // l=0 m=0
+  out[2] = k_1_0 * z;                           // l=1 m=0
+  out[1] = k_1_0 * y;                           // l=1 m=-1
+  out[3] = k_1_0 * x;                           // l=1 m=1
   const T z2 = z * z;
-  const T y_1_1c = k_1_1 * x;
-  out[3] = y_1_1c;                                                 // l=1 m=1
-  const T y_2_2s = k_2_2s * x * y;
-  out[4] = y_2_2s;                                                 // l=2 m=-2
-  const T y_1_1s = k_1_1 * y;
-  out[1] = y_1_1s;                                                 // l=1 m=-1
-  const T y_2_2c = k_2_2c * t;
-  out[8] = y_2_2c;                                                 // l=2 m=2
-  const T t_2 = a_3_3 * t;
-  const T t_3 = b_3_3 * xy2;
-  const T u = z2 - xy2;
-  const T t_4 = z2 + z2 - one;
-  const T y_3_3c = y_1_1c * (t_2 - t_3);
-  out[15] = y_3_3c;                                                // l=3 m=3
-  const T y_3_3s = y_1_1s * (t_2 + t_3);
-  out[9] = y_3_3s;                                                 // l=3 m=-3
-  out[16] = k_4_4s * y_2_2c * y_2_2s;                              // l=4 m=-4
-  out[24] = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);        // l=4 m=4
-  const T t_4_3 = k_4_3 * z;
-  out[17] = t_4_3 * y_3_3s;                                        // l=4 m=-3
-  out[23] = t_4_3 * y_3_3c;                                        // l=4 m=3
-  const T t_3_2 = k_3_2 * z;
-  out[10] = t_3_2 * y_2_2s;                                        // l=3 m=-2
-  out[14] = t_3_2 * y_2_2c;                                        // l=3 m=2
-  const T p_4_2 = a_4_20 * t_4 + b_4_20;
-  out[18] = p_4_2 * y_2_2s;                                        // l=4 m=-2
-  out[22] = p_4_2 * y_2_2c;                                        // l=4 m=2
-  const T t_2_1 = k_2_1 * z;
-  const T t_1_0 = k_1_1 * z;
-  out[2] = t_1_0;                                                  // l=1 m=0
-  const T p_3_1 = a_3_10 * t_4 + b_3_10;
-  const T p_4_1 = a_4_10 * t_4 + b_4_10;
-  out[11] = p_3_1 * y_1_1s;                                        // l=3 m=-1
-  out[13] = p_3_1 * y_1_1c;                                        // l=3 m=1
-  const T y_2_1s = t_2_1 * y_1_1s;
-  out[5] = y_2_1s;                                                 // l=2 m=-1
-  const T y_2_1c = t_2_1 * y_1_1c;
-  out[7] = y_2_1c;                                                 // l=2 m=1
-  out[19] = p_4_1 * y_2_1s;                                        // l=4 m=-1
-  out[21] = p_4_1 * y_2_1c;                                        // l=4 m=1
-  out[6] = a_2_00 * u + b_2_00;                                    // l=2 m=0
-  out[12] = (a_3_00 * u - b_3_00) * t_1_0;                         // l=3 m=0
-  out[20] = b_4_01 * ((u + u) * u - one) + (a_4_00 * u + b_4_00);  // l=4 m=0
+  const T p_2_0 = a_2_0 * z2 - b_2_0;
+  out[6] = p_2_0;                               // l=2 m=0
+  const T p_3_0 = z * (a_3_0 * z2 - b_3_0);
+  out[12] = p_3_0;                              // l=3 m=0
+  out[20] = a_4_0 * z * p_3_0 - b_4_0 * p_2_0;  // l=4 m=0
+  const T p_2_1 = k_2_1 * z;
+  out[5] = p_2_1 * y;                           // l=2 m=-1
+  out[7] = p_2_1 * x;                           // l=2 m=1
+  const T p_3_1 = a_3_1 * z2 - b_3_1;
+  out[11] = p_3_1 * y;                          // l=3 m=-1
+  out[13] = p_3_1 * x;                          // l=3 m=1
+  const T p_4_1 = z * (a_4_1 * z2 - b_4_1);
+  out[19] = p_4_1 * y;                          // l=4 m=-1
+  out[21] = p_4_1 * x;                          // l=4 m=1
+  const T p_4_2 = a_4_2 * z2 - b_4_2;
+  const T c2 = x * x - y * y;
+  out[8] = k_2_2 * c2;                          // l=2 m=2
+  out[22] = p_4_2 * c2;                         // l=4 m=2
+  const T xy = x * y;
+  const T s2 = xy + xy;
+  out[18] = p_4_2 * s2;                         // l=4 m=-2
+  out[4] = k_2_2 * s2;                          // l=2 m=-2
+  const T p_3_2 = k_3_2 * z;
+  out[10] = p_3_2 * s2;                         // l=3 m=-2
+  out[14] = p_3_2 * c2;                         // l=3 m=2
+  const T p_4_3 = k_4_3 * z;
+  const T c3 = x * c2 - y * s2;
+  const T s3 = x * s2 + y * c2;
+  out[9] = k_3_3 * s3;                          // l=3 m=-3
+  out[15] = k_3_3 * c3;                         // l=3 m=3
+  out[17] = p_4_3 * s3;                         // l=4 m=-3
+  out[23] = p_4_3 * c3;                         // l=4 m=3
+  out[16] = k_4_4 * (x * s3 + y * c3);          // l=4 m=-4
+  out[24] = k_4_4 * (x * c3 - y * s3);          // l=4 m=4
 }
 
 }  // namespace sh

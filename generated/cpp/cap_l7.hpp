@@ -7,21 +7,21 @@
 // Domain:       0 <= one_minus_cos <= 2, that is 1 - cos(half-angle): 1 a hemisphere, 2 the sphere; any tiny cap. For a
 //               small half-angle h take 2 sin(h/2)^2
 // Output:       zonal (8): z_l of sum z_l Y_l0 for the function 1 in the cap and 0 outside; orthonormal Y_l0
-// Recipe:       recurrence
+// Recipe:       horner
 // Source:       M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 1964, 8.5.3, 8.5.4; constants derived
 //               exactly
-// Cost:         20 multiplications, 7 additions; longest chain 13; at most 4 values live
+// Cost:         19 multiplications, 12 additions; longest chain 10; at most 4 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1) pi) (1 - cos^2) / 2, the largest coefficient a cap of
 //               that area has (at l = 0: the coefficient)
-//               float   rounding  at most 5.0e-07 (23.4 eps)  largest seen 2.2e-07 (11.5 eps)
-//               double  rounding  at most 9.4e-16 (24.9 eps)  largest seen 3.7e-16 (11.4 eps)
+//               float   rounding  at most 1.5e-06 (5.9 eps)  largest seen 5.9e-07 (3.5 eps)
+//               double  rounding  at most 2.6e-15 (5.8 eps)  largest seen 6.2e-16 (3.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for one_minus_cos = 0 or 2^-120 to 2; operations round to nearest, with or without
 //               contraction
 //               seen:     among 522 sizes (random, a hemisphere, the sphere, 2^-1 to 2^-120) and 262144 evaluations of
 //               a search, without contraction
-//               worst:    float one_minus_cos = 8.3711166e-05
-//                         double one_minus_cos = 1.8699223288534156e-14
+//               worst:    float one_minus_cos = 2.448811e-05
+//                         double one_minus_cos = 4.364651658116945e-11
 #pragma once
 
 #include <type_traits>
@@ -60,37 +60,38 @@ namespace sh {
 
 template <class T>
 constexpr void cap_l7(T one_minus_cos, T* zonal) noexcept {
-  const T one = detail::constant<T>(1.0f, 1.0);                       // 1
-  const T two = detail::constant<T>(2.0f, 2.0);                       // 2
-  const T k0  = detail::constant<T>(1.7724539f, 1.772453850905516);   // pi^(1/2)
-  const T k1  = detail::constant<T>(1.5349901f, 1.5349900619197328);  // 1/2 sqrt(3) pi^(1/2)
-  const T a2  = detail::constant<T>(1.2909944f, 1.2909944487358056);  // 1/3 sqrt(15)
-  const T a3  = detail::constant<T>(1.47902f, 1.479019945774904);     // 1/4 sqrt(35)
-  const T b3  = detail::constant<T>(0.3818813f, 0.3818813079129867);  // 1/12 sqrt(21)
-  const T a4  = detail::constant<T>(1.5874507f, 1.5874507866387544);  // 3/5 sqrt(7)
-  const T b4  = detail::constant<T>(0.5366563f, 0.5366563145999496);  // 6/25 sqrt(5)
-  const T a5  = detail::constant<T>(1.6583124f, 1.6583123951777);     // 1/2 sqrt(11)
-  const T b5  = detail::constant<T>(0.6267832f, 0.6267831705280087);  // 1/14 sqrt(77)
-  const T a6  = detail::constant<T>(1.708323f, 1.7083229633001997);   // 1/7 sqrt(143)
-  const T b6  = detail::constant<T>(0.6867717f, 0.6867716715169503);  // 4/21 sqrt(13)
-  const T a7  = detail::constant<T>(1.74553f, 1.7455300054711176);    // 1/8 sqrt(195)
-  const T b7  = detail::constant<T>(0.7298428f, 0.7298427601514278);  // 5/88 sqrt(165)
+  const T one    = detail::constant<T>(1.0f, 1.0);                        // 1
+  const T two    = detail::constant<T>(2.0f, 2.0);                        // 2
+  const T k0     = detail::constant<T>(1.7724539f, 1.772453850905516);    // pi^(1/2)
+  const T a1_0   = detail::constant<T>(1.5349901f, 1.5349900619197328);   // 1/2 sqrt(3) pi^(1/2)
+  const T a2_0   = detail::constant<T>(1.9816637f, 1.9816636488030055);   // 1/2 sqrt(5) pi^(1/2)
+  const T a3_1   = detail::constant<T>(2.9309201f, 2.9309200623967198);   // 5/8 sqrt(7) pi^(1/2)
+  const T a3_0   = detail::constant<T>(2.344736f, 2.3447360499173757);    // 1/2 sqrt(7) pi^(1/2)
+  const T a4_1   = detail::constant<T>(4.6526914f, 4.65269135862698);     // 21/8 pi^(1/2)
+  const T a4_0   = detail::constant<T>(2.6586807f, 2.658680776358274);    // 3/2 pi^(1/2)
+  const T k_half = detail::constant<T>(0.5f, 0.5);                        // 1/2
+  const T a5_2   = detail::constant<T>(7.7156157f, 7.715615750947293);    // 21/16 sqrt(11) pi^(1/2)
+  const T a5_1   = detail::constant<T>(2.571872f, 2.571871916982431);     // 7/16 sqrt(11) pi^(1/2)
+  const T a5_0   = detail::constant<T>(0.2755577f, 0.27555770539097474);  // 3/64 sqrt(11) pi^(1/2)
+  const T a6_2   = detail::constant<T>(13.180763f, 13.180763563343977);   // 33/16 sqrt(13) pi^(1/2)
+  const T a6_1   = detail::constant<T>(1.1982512f, 1.1982512330312705);   // 3/16 sqrt(13) pi^(1/2)
+  const T a6_0   = detail::constant<T>(0.6989799f, 0.6989798859349078);   // 7/64 sqrt(13) pi^(1/2)
+  const T a7_3   = detail::constant<T>(-23.007418f, -23.00741829483732);  // -429/128 sqrt(15) pi^(1/2)
+  const T a7_2   = detail::constant<T>(7.9641066f, 7.964106332828303);    // 297/256 sqrt(15) pi^(1/2)
+  const T a7_1   = detail::constant<T>(2.0513606f, 2.0513607220921384);   // 153/512 sqrt(15) pi^(1/2)
+  const T a7_0   = detail::constant<T>(0.40893137f, 0.4089313857765374);  // 61/1024 sqrt(15) pi^(1/2)
 
-  const T c = one - one_minus_cos;
-  zonal[0] = k0 * one_minus_cos;     // l=0
-  const T z1 = k1 * one_minus_cos * (two - one_minus_cos);
-  zonal[1] = z1;                     // l=1
-  const T z2 = a2 * c * z1;
-  zonal[2] = z2;                     // l=2
-  const T z3 = a3 * c * z2 - b3 * z1;
-  zonal[3] = z3;                     // l=3
-  const T z4 = a4 * c * z3 - b4 * z2;
-  zonal[4] = z4;                     // l=4
-  const T z5 = a5 * c * z4 - b5 * z3;
-  zonal[5] = z5;                     // l=5
-  const T z6 = a6 * c * z5 - b6 * z4;
-  zonal[6] = z6;                     // l=6
-  zonal[7] = a7 * c * z6 - b7 * z5;  // l=7
+  const T s = one_minus_cos * (two - one_minus_cos);
+  zonal[0] = k0 * one_minus_cos;                               // l=0
+  const T cs = (one - one_minus_cos) * s;
+  zonal[1] = a1_0 * s;                                         // l=1
+  zonal[2] = a2_0 * cs;                                        // l=2
+  zonal[3] = (a3_0 - a3_1 * s) * s;                            // l=3
+  zonal[4] = (a4_0 - a4_1 * s) * cs;                           // l=4
+  const T v = s - k_half;
+  zonal[5] = ((a5_2 * v - a5_1) * v - a5_0) * s;               // l=5
+  zonal[6] = ((a6_2 * v - a6_1) * v - a6_0) * cs;              // l=6
+  zonal[7] = (((a7_3 * v + a7_2) * v + a7_1) * v - a7_0) * s;  // l=7
 }
 
 }  // namespace sh

@@ -7,7 +7,7 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis; any c
 // Output:       returns the sum of c_lm Y_lm(d); c: coefficients of the orthonormal Y_lm, no Condon-Shortley phase, at
 //               index l(l+1)+m
-// Recipe:       columns
+// Recipe:       sum
 // Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
 //               exactly
 // Cost:         1 multiplications, 0 additions; longest chain 1; at most 1 values live

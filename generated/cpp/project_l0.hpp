@@ -7,8 +7,8 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis; any weight
 // Output:       sum (1): sum += weight Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
-// Recipe:       chebyshev
-// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Recipe:       recurrence
+// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
 // Cost:         1 multiplications, 1 additions; longest chain 2; at most 2 values live
 // Error:        eps counts units of machine epsilon x |weight| sqrt((2l+1)/(4 pi)) + |sum before|
 //               float   rounding  at most 1.1e-07 (1.5 eps)  largest seen 6.7e-08 (1.4 eps)

@@ -10,13 +10,13 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         54 multiplications, 28 additions, 1 divisions, 1 square roots, 3 selections; longest chain 22; at most
-//               19 values live
+// Cost:         53 multiplications, 29 additions, 1 divisions, 1 square roots, 3 selections; longest chain 18; at most
+//               18 values live
 // Error:        eps counts units of machine epsilon x |c|
-//               float   rounding  largest seen 1.1e-06 (9.1 eps)
-//                       total     largest seen 9.7e-07 (8.2 eps)
-//               double  rounding  largest seen 1.9e-15 (8.6 eps)
-//                       total     largest seen 1.8e-15 (8.1 eps)
+//               float   rounding  largest seen 9.4e-07 (8.1 eps)
+//                       total     largest seen 9.7e-07 (8.3 eps)
+//               double  rounding  largest seen 1.8e-15 (8.6 eps)
+//                       total     largest seen 1.8e-15 (8.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
@@ -85,58 +85,58 @@ namespace sh {
 template <class T>
 constexpr void rotate_l2(const T* r, const T* c, T* out) noexcept {
   const T tiny = detail::constant<T>(1.9721523e-31f, 1.9721522630525295e-31);  // 1/5070602400912917605986812821504
-  const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
+  const T root = detail::constant<T>(4.440892e-16f, 4.440892098500626e-16);    // 1/2251799813685248
   const T zero = detail::constant<T>(0.0f, 0.0);                               // 0
-  const T two  = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T half = detail::constant<T>(0.5f, 0.5);                               // 1/2
+  const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
   const T k    = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
   const T k_2  = detail::constant<T>(1.5f, 1.5);                               // 3/2
   const T k_3  = detail::constant<T>(1.7320508f, 1.7320508075688772);          // sqrt(3)
+  const T k_4  = detail::constant<T>(2.0f, 2.0);                               // 2
 
   out[0] = c[0];                               // l=0 m=0
+  const T c2 = c[2];
   const T c1 = c[1];
   const T c3 = c[3];
-  const T c2 = c[2];
   out[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;  // l=1 m=-1
   out[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;  // l=1 m=0
   out[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;  // l=1 m=1
-  const T sin2_b = r[2] * r[2] + r[5] * r[5];
-  const T x = detail::choose(sin2_b < tiny, one, r[2]);
-  const T y = detail::choose(sin2_b < tiny, zero, r[5]);
-  const T inv2 = two / detail::choose(sin2_b < tiny, one, sin2_b);
-  const T inv = detail::square_root<T>(half * inv2);
-  const T t = y * inv2;
-  const T cos_a = x * inv;
-  const T sin_2a = t * x;
-  const T sin_a = y * inv;
-  const T cos_2a = one - t * y;
+  const T sin2_b = r[6] * r[6] + r[7] * r[7];
+  const T x = detail::choose(sin2_b < tiny, root, r[6]);
+  const T y = detail::choose(sin2_b < tiny, zero, r[7]);
+  const T inv_sq = one / detail::choose(sin2_b < tiny, tiny, sin2_b);
+  const T inv = detail::square_root<T>(inv_sq);
+  const T t = y * (inv_sq + inv_sq);
+  const T cos_ng = x * inv;
+  const T sin_2ng = t * x;
+  const T sin_ng = y * inv;
+  const T cos_2ng = one - t * y;
   const T sin_b = sin2_b * inv;
-  const T cos_g = r[4] * cos_a - r[1] * sin_a;
-  const T sin_g = r[3] * cos_a - r[0] * sin_a;
-  const T t_2 = k_3 * sin_b * r[8];
-  const T t_3 = cos_g + cos_g;
-  const T cos_2g = t_3 * cos_g - one;
-  const T t_4 = t_3 * sin_g;
+  const T cos_a = r[4] * cos_ng - r[3] * sin_ng;
+  const T sin_a = r[0] * sin_ng - r[1] * cos_ng;
+  const T t_2 = cos_a + cos_a;
+  const T cos_2a = t_2 * cos_a - one;
+  const T t_3 = t_2 * sin_a;
+  const T t_4 = k_3 * sin_b * r[8];
   const T c7 = c[7];
   const T c5 = c[5];
-  const T v_2_1c = cos_g * c7 - sin_g * c5;
-  const T v_2_1s = sin_g * c7 + cos_g * c5;
+  const T v_2_1c = cos_ng * c7 + sin_ng * c5;
+  const T v_2_1s = cos_ng * c5 - sin_ng * c7;
   const T c8 = c[8];
   const T c4 = c[4];
-  const T v_2_2c = cos_2g * c8 - t_4 * c4;
-  const T v_2_2s = t_4 * c8 + cos_2g * c4;
+  const T v_2_2c = cos_2ng * c8 + sin_2ng * c4;
+  const T v_2_2s = cos_2ng * c4 - sin_2ng * c8;
   const T c6 = c[6];
   const T t_5 = c6 - k * v_2_2c;
-  const T p_2_2 = k_2 * sin2_b * t_5 + t_2 * v_2_1c;
-  const T q_2_2 = t_2 * t_5 + (one - two * sin2_b) * v_2_1c;
+  const T p_2_2 = k_2 * sin2_b * t_5 - t_4 * v_2_1c;
+  const T q_2_2 = (one - k_4 * sin2_b) * v_2_1c - t_4 * t_5;
   out[6] = c6 - p_2_2;                         // l=2 m=0
   const T t_6 = v_2_2c + k * p_2_2;
-  const T p_2_1 = r[8] * v_2_2s + sin_b * v_2_1s;
-  const T q_2_1 = r[8] * v_2_1s - sin_b * v_2_2s;
+  const T p_2_1 = r[8] * v_2_2s - sin_b * v_2_1s;
+  const T q_2_1 = sin_b * v_2_2s + r[8] * v_2_1s;
   out[7] = cos_a * q_2_2 - sin_a * q_2_1;      // l=2 m=1
   out[5] = sin_a * q_2_2 + cos_a * q_2_1;      // l=2 m=-1
-  out[8] = cos_2a * t_6 - sin_2a * p_2_1;      // l=2 m=2
-  out[4] = sin_2a * t_6 + cos_2a * p_2_1;      // l=2 m=-2
+  out[8] = cos_2a * t_6 - t_3 * p_2_1;         // l=2 m=2
+  out[4] = t_3 * t_6 + cos_2a * p_2_1;         // l=2 m=-2
 }
 
 }  // namespace sh

@@ -10,13 +10,13 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         115 multiplications, 64 additions, 1 divisions, 1 square roots, 3 selections; longest chain 23; at most
+// Cost:         114 multiplications, 65 additions, 1 divisions, 1 square roots, 3 selections; longest chain 21; at most
 //               34 values live
 // Error:        eps counts units of machine epsilon x |c|
-//               float   rounding  largest seen 1.2e-06 (13.3 eps)
-//                       total     largest seen 1.3e-06 (12.7 eps)
-//               double  rounding  largest seen 2.6e-15 (11.8 eps)
-//                       total     largest seen 2.7e-15 (12.4 eps)
+//               float   rounding  largest seen 1.2e-06 (12.4 eps)
+//                       total     largest seen 1.2e-06 (13.3 eps)
+//               double  rounding  largest seen 2.7e-15 (12.1 eps)
+//                       total     largest seen 2.6e-15 (11.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
@@ -85,10 +85,10 @@ namespace sh {
 template <class T>
 constexpr void rotate_l3(const T* r, const T* c, T* out) noexcept {
   const T tiny = detail::constant<T>(1.9721523e-31f, 1.9721522630525295e-31);  // 1/5070602400912917605986812821504
-  const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
+  const T root = detail::constant<T>(4.440892e-16f, 4.440892098500626e-16);    // 1/2251799813685248
   const T zero = detail::constant<T>(0.0f, 0.0);                               // 0
+  const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
   const T two  = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T half = detail::constant<T>(0.5f, 0.5);                               // 1/2
   const T k    = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
   const T k_2  = detail::constant<T>(1.5f, 1.5);                               // 3/2
   const T k_3  = detail::constant<T>(1.7320508f, 1.7320508075688772);          // sqrt(3)
@@ -101,58 +101,58 @@ constexpr void rotate_l3(const T* r, const T* c, T* out) noexcept {
   const T k_10 = detail::constant<T>(1.5811388f, 1.5811388300841898);          // 1/2 sqrt(10)
 
   out[0] = c[0];                               // l=0 m=0
+  const T c2 = c[2];
   const T c1 = c[1];
   const T c3 = c[3];
-  const T c2 = c[2];
   out[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;  // l=1 m=-1
   out[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;  // l=1 m=0
   out[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;  // l=1 m=1
-  const T sin2_b = r[2] * r[2] + r[5] * r[5];
-  const T x = detail::choose(sin2_b < tiny, one, r[2]);
-  const T y = detail::choose(sin2_b < tiny, zero, r[5]);
-  const T inv2 = two / detail::choose(sin2_b < tiny, one, sin2_b);
-  const T inv = detail::square_root<T>(half * inv2);
-  const T t = y * inv2;
-  const T cos_a = x * inv;
-  const T sin_2a = t * x;
+  const T sin2_b = r[6] * r[6] + r[7] * r[7];
+  const T x = detail::choose(sin2_b < tiny, root, r[6]);
+  const T y = detail::choose(sin2_b < tiny, zero, r[7]);
+  const T inv_sq = one / detail::choose(sin2_b < tiny, tiny, sin2_b);
+  const T inv = detail::square_root<T>(inv_sq);
+  const T t = y * (inv_sq + inv_sq);
+  const T cos_ng = x * inv;
+  const T sin_2ng = t * x;
   const T ty = t * y;
-  const T sin_a = y * inv;
+  const T sin_ng = y * inv;
   const T sin_b = sin2_b * inv;
-  const T cos_g = r[4] * cos_a - r[1] * sin_a;
-  const T sin_g = r[3] * cos_a - r[0] * sin_a;
-  const T cos_2a = one - ty;
-  const T t_2 = cos_2a - ty;
-  const T cos_3a = cos_a * t_2;
-  const T sin_3a = sin_a * (t_2 + two);
-  const T t_3 = sin_b * r[8];
-  const T t_4 = two * sin2_b;
-  const T cos_2b = one - t_4;
-  const T t_5 = cos_2b - t_4;
-  const T cos_3b = r[8] * t_5;
-  const T t_6 = k_7 * sin_b * (t_5 + two);
-  const T cos_2g = cos_g * cos_g - sin_g * sin_g;
-  const T sin_2g = (sin_g + sin_g) * cos_g;
-  const T t_7 = cos_g + cos_g;
-  const T cos_3g = t_7 * cos_2g - cos_g;
-  const T sin_3g = t_7 * sin_2g - sin_g;
+  const T cos_a = r[4] * cos_ng - r[3] * sin_ng;
+  const T sin_a = r[0] * sin_ng - r[1] * cos_ng;
+  const T cos_2ng = one - ty;
+  const T t_2 = cos_2ng - ty;
+  const T cos_3ng = cos_ng * t_2;
+  const T sin_3ng = sin_ng * (t_2 + two);
+  const T cos_2a = cos_a * cos_a - sin_a * sin_a;
+  const T sin_2a = (sin_a + sin_a) * cos_a;
+  const T t_3 = cos_a + cos_a;
+  const T cos_3a = t_3 * cos_2a - cos_a;
+  const T sin_3a = t_3 * sin_2a - sin_a;
+  const T t_4 = sin_b * r[8];
+  const T t_5 = two * sin2_b;
+  const T cos_2b = one - t_5;
+  const T t_6 = cos_2b - t_5;
+  const T cos_3b = r[8] * t_6;
+  const T t_7 = k_7 * sin_b * (t_6 + two);
   const T c7 = c[7];
   const T c5 = c[5];
-  const T v_2_1c = cos_g * c7 - sin_g * c5;
-  const T v_2_1s = sin_g * c7 + cos_g * c5;
+  const T v_2_1c = cos_ng * c7 + sin_ng * c5;
+  const T v_2_1s = cos_ng * c5 - sin_ng * c7;
   const T c8 = c[8];
   const T c4 = c[4];
-  const T v_2_2c = cos_2g * c8 - sin_2g * c4;
-  const T v_2_2s = sin_2g * c8 + cos_2g * c4;
+  const T v_2_2c = cos_2ng * c8 + sin_2ng * c4;
+  const T v_2_2s = cos_2ng * c4 - sin_2ng * c8;
   const T c6 = c[6];
   const T t_8 = c6 - k * v_2_2c;
-  const T t_9 = k_3 * t_3;
-  const T p_2_2 = k_2 * sin2_b * t_8 + t_9 * v_2_1c;
+  const T t_9 = k_3 * t_4;
+  const T p_2_2 = k_2 * sin2_b * t_8 - t_9 * v_2_1c;
   out[6] = c6 - p_2_2;                         // l=2 m=0
-  const T q_2_2 = t_9 * t_8 + cos_2b * v_2_1c;
+  const T q_2_2 = cos_2b * v_2_1c - t_9 * t_8;
   const T t_10 = v_2_2c + k * p_2_2;
-  const T t_11 = k_10 * t_3;
-  const T p_2_1 = r[8] * v_2_2s + sin_b * v_2_1s;
-  const T q_2_1 = r[8] * v_2_1s - sin_b * v_2_2s;
+  const T t_11 = k_10 * t_4;
+  const T p_2_1 = r[8] * v_2_2s - sin_b * v_2_1s;
+  const T q_2_1 = sin_b * v_2_2s + r[8] * v_2_1s;
   const T t_12 = k_7 * sin_b;
   out[7] = cos_a * q_2_2 - sin_a * q_2_1;      // l=2 m=1
   out[5] = sin_a * q_2_2 + cos_a * q_2_1;      // l=2 m=-1
@@ -160,32 +160,32 @@ constexpr void rotate_l3(const T* r, const T* c, T* out) noexcept {
   out[4] = sin_2a * t_10 + cos_2a * p_2_1;     // l=2 m=-2
   const T c13 = c[13];
   const T c11 = c[11];
-  const T v_3_1c = cos_g * c13 - sin_g * c11;
-  const T v_3_1s = sin_g * c13 + cos_g * c11;
+  const T v_3_1c = cos_ng * c13 + sin_ng * c11;
+  const T v_3_1s = cos_ng * c11 - sin_ng * c13;
   const T c14 = c[14];
   const T c10 = c[10];
-  const T v_3_2c = cos_2g * c14 - sin_2g * c10;
-  const T v_3_2s = sin_2g * c14 + cos_2g * c10;
+  const T v_3_2c = cos_2ng * c14 + sin_2ng * c10;
+  const T v_3_2s = cos_2ng * c10 - sin_2ng * c14;
   const T c15 = c[15];
   const T c9 = c[9];
-  const T v_3_3c = cos_3g * c15 - sin_3g * c9;
-  const T v_3_3s = sin_3g * c15 + cos_3g * c9;
+  const T v_3_3c = cos_3ng * c15 + sin_3ng * c9;
+  const T v_3_3s = cos_3ng * c9 - sin_3ng * c15;
   const T t_13 = k_4 * v_3_1c + v_3_3c;
   const T t_14 = v_3_1c - k_4 * v_3_3c;
   const T c12 = c[12];
   const T t_15 = k_5 * c12 + v_3_2c;
   const T t_16 = c12 - k_5 * v_3_2c;
-  const T p_3_1 = k_6 * r[8] * t_13 + t_12 * t_15;
-  const T q_3_1 = k_8 * r[8] * t_15 - t_12 * t_13;
-  const T p_3_3 = k_6 * cos_3b * t_14 + t_6 * t_16;
-  const T q_3_3 = k_8 * cos_3b * t_16 - t_6 * t_14;
+  const T p_3_1 = k_6 * r[8] * t_13 - t_12 * t_15;
+  const T q_3_1 = t_12 * t_13 + k_8 * r[8] * t_15;
+  const T p_3_3 = k_6 * cos_3b * t_14 - t_7 * t_16;
+  const T q_3_3 = t_7 * t_14 + k_8 * cos_3b * t_16;
   const T t_17 = k_4 * p_3_1 + p_3_3;
   const T t_18 = p_3_1 - k_4 * p_3_3;
   out[12] = k_5 * q_3_1 + q_3_3;               // l=3 m=0
   const T t_19 = q_3_1 - k_5 * q_3_3;
   const T t_20 = v_3_1s - k_5 * v_3_3s;
-  const T p_3_2 = k_9 * sin2_b * t_20 + t_11 * v_3_2s;
-  const T q_3_2 = t_11 * t_20 + cos_2b * v_3_2s;
+  const T p_3_2 = k_9 * sin2_b * t_20 - t_11 * v_3_2s;
+  const T q_3_2 = cos_2b * v_3_2s - t_11 * t_20;
   const T t_21 = v_3_1s - p_3_2;
   const T t_22 = v_3_3s + k_5 * p_3_2;
   out[13] = cos_a * t_17 - sin_a * t_21;       // l=3 m=1

@@ -10,13 +10,13 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         202 multiplications, 116 additions, 1 divisions, 1 square roots, 3 selections; longest chain 24; at
+// Cost:         201 multiplications, 117 additions, 1 divisions, 1 square roots, 3 selections; longest chain 24; at
 //               most 49 values live
 // Error:        eps counts units of machine epsilon x |c|
-//               float   rounding  largest seen 1.2e-06 (10.6 eps)
-//                       total     largest seen 1.2e-06 (10.5 eps)
-//               double  rounding  largest seen 2.6e-15 (11.6 eps)
-//                       total     largest seen 2.5e-15 (11.1 eps)
+//               float   rounding  largest seen 1.4e-06 (12.4 eps)
+//                       total     largest seen 1.4e-06 (11.8 eps)
+//               double  rounding  largest seen 2.6e-15 (12.2 eps)
+//                       total     largest seen 2.7e-15 (12.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
@@ -85,10 +85,10 @@ namespace sh {
 template <class T>
 constexpr void rotate_l4(const T* r, const T* c, T* out) noexcept {
   const T tiny = detail::constant<T>(1.9721523e-31f, 1.9721522630525295e-31);  // 1/5070602400912917605986812821504
-  const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
+  const T root = detail::constant<T>(4.440892e-16f, 4.440892098500626e-16);    // 1/2251799813685248
   const T zero = detail::constant<T>(0.0f, 0.0);                               // 0
+  const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
   const T two  = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T half = detail::constant<T>(0.5f, 0.5);                               // 1/2
   const T k    = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
   const T k_2  = detail::constant<T>(1.5f, 1.5);                               // 3/2
   const T k_3  = detail::constant<T>(1.7320508f, 1.7320508075688772);          // sqrt(3)
@@ -114,104 +114,104 @@ constexpr void rotate_l4(const T* r, const T* c, T* out) noexcept {
   const T k_23 = detail::constant<T>(0.5625f, 0.5625);                         // 9/16
 
   out[0] = c[0];                               // l=0 m=0
+  const T c2 = c[2];
   const T c1 = c[1];
   const T c3 = c[3];
-  const T c2 = c[2];
   out[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;  // l=1 m=-1
   out[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;  // l=1 m=0
   out[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;  // l=1 m=1
-  const T sin2_b = r[2] * r[2] + r[5] * r[5];
-  const T x = detail::choose(sin2_b < tiny, one, r[2]);
-  const T y = detail::choose(sin2_b < tiny, zero, r[5]);
-  const T inv2 = two / detail::choose(sin2_b < tiny, one, sin2_b);
-  const T inv = detail::square_root<T>(half * inv2);
-  const T t = y * inv2;
-  const T cos_a = x * inv;
-  const T sin_2a = t * x;
+  const T sin2_b = r[6] * r[6] + r[7] * r[7];
+  const T x = detail::choose(sin2_b < tiny, root, r[6]);
+  const T y = detail::choose(sin2_b < tiny, zero, r[7]);
+  const T inv_sq = one / detail::choose(sin2_b < tiny, tiny, sin2_b);
+  const T inv = detail::square_root<T>(inv_sq);
+  const T t = y * (inv_sq + inv_sq);
+  const T cos_ng = x * inv;
+  const T sin_2ng = t * x;
   const T ty = t * y;
-  const T sin_a = y * inv;
+  const T sin_ng = y * inv;
   const T sin_b = sin2_b * inv;
-  const T cos_g = r[4] * cos_a - r[1] * sin_a;
-  const T sin_g = r[3] * cos_a - r[0] * sin_a;
-  const T cos_2a = one - ty;
-  const T t_2 = cos_2a - ty;
-  const T cos_3a = cos_a * t_2;
-  const T sin_3a = sin_a * (t_2 + two);
-  const T t_3 = cos_a + cos_a;
-  const T cos_4a = t_3 * cos_3a - cos_2a;
-  const T sin_4a = t_3 * sin_3a - sin_2a;
-  const T t_4 = sin_b * r[8];
-  const T t_5 = two * sin2_b;
-  const T cos_2b = one - t_5;
-  const T t_6 = cos_2b - t_5;
-  const T cos_3b = r[8] * t_6;
-  const T sin_3b = sin_b * (t_6 + two);
-  const T t_7 = t_4 * t_4;
-  const T t_8 = k_19 * t_4 * cos_2b;
-  const T cos_2g = cos_g * cos_g - sin_g * sin_g;
-  const T sin_2g = (sin_g + sin_g) * cos_g;
-  const T t_9 = cos_g + cos_g;
-  const T cos_3g = t_9 * cos_2g - cos_g;
-  const T sin_3g = t_9 * sin_2g - sin_g;
-  const T cos_4g = cos_2g * cos_2g - sin_2g * sin_2g;
-  const T sin_4g = (sin_2g + sin_2g) * cos_2g;
+  const T cos_a = r[4] * cos_ng - r[3] * sin_ng;
+  const T sin_a = r[0] * sin_ng - r[1] * cos_ng;
+  const T cos_2ng = one - ty;
+  const T t_2 = cos_2ng - ty;
+  const T cos_3ng = cos_ng * t_2;
+  const T sin_3ng = sin_ng * (t_2 + two);
+  const T t_3 = cos_ng + cos_ng;
+  const T cos_4ng = t_3 * cos_3ng - cos_2ng;
+  const T sin_4ng = t_3 * sin_3ng - sin_2ng;
+  const T cos_2a = cos_a * cos_a - sin_a * sin_a;
+  const T sin_2a = (sin_a + sin_a) * cos_a;
+  const T t_4 = cos_a + cos_a;
+  const T cos_3a = t_4 * cos_2a - cos_a;
+  const T sin_3a = t_4 * sin_2a - sin_a;
+  const T cos_4a = cos_2a * cos_2a - sin_2a * sin_2a;
+  const T sin_4a = (sin_2a + sin_2a) * cos_2a;
+  const T t_5 = sin_b * r[8];
+  const T t_6 = two * sin2_b;
+  const T cos_2b = one - t_6;
+  const T t_7 = cos_2b - t_6;
+  const T cos_3b = r[8] * t_7;
+  const T sin_3b = sin_b * (t_7 + two);
+  const T t_8 = t_5 * t_5;
+  const T t_9 = k_19 * t_5 * cos_2b;
   const T c7 = c[7];
   const T c5 = c[5];
-  const T v_2_1c = cos_g * c7 - sin_g * c5;
-  const T v_2_1s = sin_g * c7 + cos_g * c5;
+  const T v_2_1c = cos_ng * c7 + sin_ng * c5;
+  const T v_2_1s = cos_ng * c5 - sin_ng * c7;
   const T c8 = c[8];
   const T c4 = c[4];
-  const T v_2_2c = cos_2g * c8 - sin_2g * c4;
-  const T v_2_2s = sin_2g * c8 + cos_2g * c4;
+  const T v_2_2c = cos_2ng * c8 + sin_2ng * c4;
+  const T v_2_2s = cos_2ng * c4 - sin_2ng * c8;
   const T c6 = c[6];
   const T t_10 = c6 - k * v_2_2c;
-  const T t_11 = k_3 * t_4;
-  const T p_2_2 = k_2 * sin2_b * t_10 + t_11 * v_2_1c;
+  const T t_11 = k_3 * t_5;
+  const T p_2_2 = k_2 * sin2_b * t_10 - t_11 * v_2_1c;
   out[6] = c6 - p_2_2;                         // l=2 m=0
-  const T q_2_2 = t_11 * t_10 + cos_2b * v_2_1c;
+  const T q_2_2 = cos_2b * v_2_1c - t_11 * t_10;
   const T t_12 = v_2_2c + k * p_2_2;
-  const T p_2_1 = r[8] * v_2_2s + sin_b * v_2_1s;
-  const T q_2_1 = r[8] * v_2_1s - sin_b * v_2_2s;
+  const T p_2_1 = r[8] * v_2_2s - sin_b * v_2_1s;
+  const T q_2_1 = sin_b * v_2_2s + r[8] * v_2_1s;
   out[7] = cos_a * q_2_2 - sin_a * q_2_1;      // l=2 m=1
   out[5] = sin_a * q_2_2 + cos_a * q_2_1;      // l=2 m=-1
   out[8] = cos_2a * t_12 - sin_2a * p_2_1;     // l=2 m=2
   out[4] = sin_2a * t_12 + cos_2a * p_2_1;     // l=2 m=-2
   const T c13 = c[13];
   const T c11 = c[11];
-  const T v_3_1c = cos_g * c13 - sin_g * c11;
-  const T v_3_1s = sin_g * c13 + cos_g * c11;
+  const T v_3_1c = cos_ng * c13 + sin_ng * c11;
+  const T v_3_1s = cos_ng * c11 - sin_ng * c13;
   const T c14 = c[14];
   const T c10 = c[10];
-  const T v_3_2c = cos_2g * c14 - sin_2g * c10;
-  const T v_3_2s = sin_2g * c14 + cos_2g * c10;
+  const T v_3_2c = cos_2ng * c14 + sin_2ng * c10;
+  const T v_3_2s = cos_2ng * c10 - sin_2ng * c14;
   const T c15 = c[15];
   const T c9 = c[9];
-  const T v_3_3c = cos_3g * c15 - sin_3g * c9;
-  const T v_3_3s = sin_3g * c15 + cos_3g * c9;
+  const T v_3_3c = cos_3ng * c15 + sin_3ng * c9;
+  const T v_3_3s = cos_3ng * c9 - sin_3ng * c15;
   const T t_13 = k_4 * v_3_1c + v_3_3c;
   const T t_14 = v_3_1c - k_4 * v_3_3c;
   const T c12 = c[12];
   const T t_15 = k_5 * c12 + v_3_2c;
   const T t_16 = c12 - k_5 * v_3_2c;
   const T t_17 = k_7 * sin_b;
-  const T p_3_1 = k_6 * r[8] * t_13 + t_17 * t_15;
+  const T p_3_1 = k_6 * r[8] * t_13 - t_17 * t_15;
   const T t_18 = k_22 * sin_b;
-  const T q_3_1 = k_8 * r[8] * t_15 - t_17 * t_13;
+  const T q_3_1 = t_17 * t_13 + k_8 * r[8] * t_15;
   const T t_19 = k_7 * sin_3b;
-  const T p_3_3 = k_6 * cos_3b * t_14 + t_19 * t_16;
+  const T p_3_3 = k_6 * cos_3b * t_14 - t_19 * t_16;
   const T t_20 = k_22 * sin_3b;
-  const T q_3_3 = k_8 * cos_3b * t_16 - t_19 * t_14;
+  const T q_3_3 = t_19 * t_14 + k_8 * cos_3b * t_16;
   const T t_21 = k_4 * p_3_1 + p_3_3;
   const T t_22 = p_3_1 - k_4 * p_3_3;
   out[12] = k_5 * q_3_1 + q_3_3;               // l=3 m=0
   const T t_23 = q_3_1 - k_5 * q_3_3;
   const T t_24 = v_3_1s - k_5 * v_3_3s;
-  const T t_25 = k_10 * t_4;
-  const T p_3_2 = k_9 * sin2_b * t_24 + t_25 * v_3_2s;
-  const T q_3_2 = t_25 * t_24 + cos_2b * v_3_2s;
+  const T t_25 = k_10 * t_5;
+  const T p_3_2 = k_9 * sin2_b * t_24 - t_25 * v_3_2s;
+  const T q_3_2 = cos_2b * v_3_2s - t_25 * t_24;
   const T t_26 = v_3_1s - p_3_2;
   const T t_27 = v_3_3s + k_5 * p_3_2;
-  const T t_28 = k_17 * t_4;
+  const T t_28 = k_17 * t_5;
   out[13] = cos_a * t_21 - sin_a * t_26;       // l=3 m=1
   out[11] = sin_a * t_21 + cos_a * t_26;       // l=3 m=-1
   out[14] = cos_2a * t_23 - sin_2a * q_3_2;    // l=3 m=2
@@ -220,29 +220,29 @@ constexpr void rotate_l4(const T* r, const T* c, T* out) noexcept {
   out[9] = sin_3a * t_22 + cos_3a * t_27;      // l=3 m=-3
   const T c21 = c[21];
   const T c19 = c[19];
-  const T v_4_1c = cos_g * c21 - sin_g * c19;
-  const T v_4_1s = sin_g * c21 + cos_g * c19;
+  const T v_4_1c = cos_ng * c21 + sin_ng * c19;
+  const T v_4_1s = cos_ng * c19 - sin_ng * c21;
   const T c22 = c[22];
   const T c18 = c[18];
-  const T v_4_2c = cos_2g * c22 - sin_2g * c18;
-  const T v_4_2s = sin_2g * c22 + cos_2g * c18;
+  const T v_4_2c = cos_2ng * c22 + sin_2ng * c18;
+  const T v_4_2s = cos_2ng * c18 - sin_2ng * c22;
   const T c23 = c[23];
   const T c17 = c[17];
-  const T v_4_3c = cos_3g * c23 - sin_3g * c17;
-  const T v_4_3s = sin_3g * c23 + cos_3g * c17;
+  const T v_4_3c = cos_3ng * c23 + sin_3ng * c17;
+  const T v_4_3s = cos_3ng * c17 - sin_3ng * c23;
   const T c24 = c[24];
   const T c16 = c[16];
-  const T v_4_4c = cos_4g * c24 - sin_4g * c16;
-  const T v_4_4s = sin_4g * c24 + cos_4g * c16;
+  const T v_4_4c = cos_4ng * c24 + sin_4ng * c16;
+  const T v_4_4s = cos_4ng * c16 - sin_4ng * c24;
   const T c20 = c[20];
   const T t_29 = v_4_4c - k_11 * c20 - k_12 * v_4_2c;
   const T t_30 = c20 - k_13 * v_4_2c + k_14 * v_4_4c;
   const T t_31 = k_15 * v_4_1c + v_4_3c;
   const T t_32 = v_4_1c - k_15 * v_4_3c;
-  const T p_4_2 = k_16 * sin2_b * t_29 - t_28 * t_31;
-  const T q_4_2 = k_16 * cos_2b * t_31 - t_28 * t_29;
-  const T p_4_4 = k_18 * t_7 * t_30 + t_8 * t_32;
-  const T q_4_4 = t_8 * t_30 + (k_16 - k_20 * t_7) * t_32;
+  const T p_4_2 = k_16 * sin2_b * t_29 + t_28 * t_31;
+  const T q_4_2 = t_28 * t_29 + k_16 * cos_2b * t_31;
+  const T p_4_4 = k_18 * t_8 * t_30 - t_9 * t_32;
+  const T q_4_4 = (k_16 - k_20 * t_8) * t_32 - t_9 * t_30;
   out[20] = c20 - (p_4_4 - k_11 * p_4_2);      // l=4 m=0
   const T t_33 = v_4_2c + (k_12 * p_4_2 + k_13 * p_4_4);
   const T t_34 = v_4_4c - (p_4_2 + k_14 * p_4_4);
@@ -252,10 +252,10 @@ constexpr void rotate_l4(const T* r, const T* c, T* out) noexcept {
   const T t_38 = v_4_2s - k_15 * v_4_4s;
   const T t_39 = v_4_1s + k_21 * v_4_3s;
   const T t_40 = v_4_3s - k_21 * v_4_1s;
-  const T p_4_1 = k_16 * r[8] * t_37 + t_18 * t_39;
-  const T q_4_1 = k_23 * r[8] * t_39 - t_18 * t_37;
-  const T p_4_3 = k_16 * cos_3b * t_38 - t_20 * t_40;
-  const T q_4_3 = t_20 * t_38 + k_23 * cos_3b * t_40;
+  const T p_4_1 = k_16 * r[8] * t_37 - t_18 * t_39;
+  const T q_4_1 = t_18 * t_37 + k_23 * r[8] * t_39;
+  const T p_4_3 = k_16 * cos_3b * t_38 + t_20 * t_40;
+  const T q_4_3 = k_23 * cos_3b * t_40 - t_20 * t_38;
   const T t_41 = k_15 * p_4_1 + p_4_3;
   const T t_42 = p_4_1 - k_15 * p_4_3;
   const T t_43 = q_4_1 - k_21 * q_4_3;

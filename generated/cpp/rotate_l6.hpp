@@ -10,13 +10,13 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         458 multiplications, 285 additions, 1 divisions, 1 square roots, 3 selections; longest chain 30; at
+// Cost:         457 multiplications, 286 additions, 1 divisions, 1 square roots, 3 selections; longest chain 30; at
 //               most 86 values live
 // Error:        eps counts units of machine epsilon x |c|
-//               float   rounding  largest seen 2.2e-06 (19.6 eps)
-//                       total     largest seen 2.2e-06 (19.5 eps)
-//               double  rounding  largest seen 6.0e-15 (27.6 eps)
-//                       total     largest seen 6.2e-15 (28.5 eps)
+//               float   rounding  largest seen 3.2e-06 (27.2 eps)
+//                       total     largest seen 3.3e-06 (27.7 eps)
+//               double  rounding  largest seen 3.9e-15 (19.2 eps)
+//                       total     largest seen 4.2e-15 (20.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
@@ -85,10 +85,10 @@ namespace sh {
 template <class T>
 constexpr void rotate_l6(const T* r, const T* c, T* out) noexcept {
   const T tiny = detail::constant<T>(1.9721523e-31f, 1.9721522630525295e-31);  // 1/5070602400912917605986812821504
-  const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
+  const T root = detail::constant<T>(4.440892e-16f, 4.440892098500626e-16);    // 1/2251799813685248
   const T zero = detail::constant<T>(0.0f, 0.0);                               // 0
+  const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
   const T two  = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T half = detail::constant<T>(0.5f, 0.5);                               // 1/2
   const T k    = detail::constant<T>(8.0f, 8.0);                               // 8
   const T k_2  = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
   const T k_3  = detail::constant<T>(1.5f, 1.5);                               // 3/2
@@ -171,114 +171,114 @@ constexpr void rotate_l6(const T* r, const T* c, T* out) noexcept {
   const T k_80 = detail::constant<T>(0.6846532f, 0.6846531968814576);          // 1/8 sqrt(30)
 
   out[0] = c[0];                                                 // l=0 m=0
+  const T c2 = c[2];
   const T c1 = c[1];
   const T c3 = c[3];
-  const T c2 = c[2];
   out[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;                    // l=1 m=-1
   out[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;                    // l=1 m=0
   out[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;                    // l=1 m=1
-  const T sin2_b = r[2] * r[2] + r[5] * r[5];
-  const T x = detail::choose(sin2_b < tiny, one, r[2]);
-  const T y = detail::choose(sin2_b < tiny, zero, r[5]);
-  const T inv2 = two / detail::choose(sin2_b < tiny, one, sin2_b);
-  const T inv = detail::square_root<T>(half * inv2);
-  const T t = y * inv2;
-  const T cos_a = x * inv;
-  const T sin_2a = t * x;
+  const T sin2_b = r[6] * r[6] + r[7] * r[7];
+  const T x = detail::choose(sin2_b < tiny, root, r[6]);
+  const T y = detail::choose(sin2_b < tiny, zero, r[7]);
+  const T inv_sq = one / detail::choose(sin2_b < tiny, tiny, sin2_b);
+  const T inv = detail::square_root<T>(inv_sq);
+  const T t = y * (inv_sq + inv_sq);
+  const T cos_ng = x * inv;
+  const T sin_2ng = t * x;
   const T ty = t * y;
-  const T sin_a = y * inv;
+  const T sin_ng = y * inv;
   const T sin_b = sin2_b * inv;
-  const T cos_g = r[4] * cos_a - r[1] * sin_a;
-  const T sin_g = r[3] * cos_a - r[0] * sin_a;
-  const T cos_2a = one - ty;
-  const T t_2 = cos_2a - ty;
-  const T cos_3a = cos_a * t_2;
-  const T sin_3a = sin_a * (t_2 + two);
-  const T t_3 = cos_a + cos_a;
-  const T cos_4a = t_3 * cos_3a - cos_2a;
-  const T sin_4a = t_3 * sin_3a - sin_2a;
-  const T cos_5a = t_3 * cos_4a - cos_3a;
-  const T sin_5a = t_3 * sin_4a - sin_3a;
-  const T cos_6a = t_3 * cos_5a - cos_4a;
-  const T sin_6a = t_3 * sin_5a - sin_4a;
-  const T t_4 = sin_b * r[8];
-  const T t_5 = two * sin2_b;
-  const T cos_2b = one - t_5;
-  const T t_6 = cos_2b - t_5;
-  const T t_7 = t_6 + two;
-  const T cos_3b = r[8] * t_6;
-  const T sin_3b = sin_b * t_7;
-  const T t_8 = t_4 * t_4;
-  const T t_9 = t_4 * cos_2b;
-  const T cos_4b = one - k * t_8;
-  const T t_10 = cos_4b + cos_4b;
-  const T cos_5b = r[8] * (t_10 - t_6);
-  const T sin_5b = sin_b * (t_10 + t_7);
-  const T t_11 = sin_3b * sin_3b;
-  const T t_12 = k_68 * sin_3b * cos_3b;
-  const T cos_2g = cos_g * cos_g - sin_g * sin_g;
-  const T sin_2g = (sin_g + sin_g) * cos_g;
-  const T t_13 = cos_g + cos_g;
-  const T cos_3g = t_13 * cos_2g - cos_g;
-  const T sin_3g = t_13 * sin_2g - sin_g;
-  const T cos_4g = cos_2g * cos_2g - sin_2g * sin_2g;
-  const T sin_4g = (sin_2g + sin_2g) * cos_2g;
-  const T cos_5g = t_13 * cos_4g - cos_3g;
-  const T sin_5g = t_13 * sin_4g - sin_3g;
-  const T cos_6g = t_13 * cos_5g - cos_4g;
-  const T sin_6g = t_13 * sin_5g - sin_4g;
+  const T cos_a = r[4] * cos_ng - r[3] * sin_ng;
+  const T sin_a = r[0] * sin_ng - r[1] * cos_ng;
+  const T cos_2ng = one - ty;
+  const T t_2 = cos_2ng - ty;
+  const T cos_3ng = cos_ng * t_2;
+  const T sin_3ng = sin_ng * (t_2 + two);
+  const T t_3 = cos_ng + cos_ng;
+  const T cos_4ng = t_3 * cos_3ng - cos_2ng;
+  const T sin_4ng = t_3 * sin_3ng - sin_2ng;
+  const T cos_5ng = t_3 * cos_4ng - cos_3ng;
+  const T sin_5ng = t_3 * sin_4ng - sin_3ng;
+  const T cos_6ng = t_3 * cos_5ng - cos_4ng;
+  const T sin_6ng = t_3 * sin_5ng - sin_4ng;
+  const T cos_2a = cos_a * cos_a - sin_a * sin_a;
+  const T sin_2a = (sin_a + sin_a) * cos_a;
+  const T t_4 = cos_a + cos_a;
+  const T cos_3a = t_4 * cos_2a - cos_a;
+  const T sin_3a = t_4 * sin_2a - sin_a;
+  const T cos_4a = cos_2a * cos_2a - sin_2a * sin_2a;
+  const T sin_4a = (sin_2a + sin_2a) * cos_2a;
+  const T cos_5a = t_4 * cos_4a - cos_3a;
+  const T sin_5a = t_4 * sin_4a - sin_3a;
+  const T cos_6a = t_4 * cos_5a - cos_4a;
+  const T sin_6a = t_4 * sin_5a - sin_4a;
+  const T t_5 = sin_b * r[8];
+  const T t_6 = two * sin2_b;
+  const T cos_2b = one - t_6;
+  const T t_7 = cos_2b - t_6;
+  const T t_8 = t_7 + two;
+  const T cos_3b = r[8] * t_7;
+  const T sin_3b = sin_b * t_8;
+  const T t_9 = t_5 * t_5;
+  const T t_10 = t_5 * cos_2b;
+  const T cos_4b = one - k * t_9;
+  const T t_11 = cos_4b + cos_4b;
+  const T cos_5b = r[8] * (t_11 - t_7);
+  const T sin_5b = sin_b * (t_11 + t_8);
+  const T t_12 = sin_3b * sin_3b;
+  const T t_13 = k_68 * sin_3b * cos_3b;
   const T c7 = c[7];
   const T c5 = c[5];
-  const T v_2_1c = cos_g * c7 - sin_g * c5;
-  const T v_2_1s = sin_g * c7 + cos_g * c5;
+  const T v_2_1c = cos_ng * c7 + sin_ng * c5;
+  const T v_2_1s = cos_ng * c5 - sin_ng * c7;
   const T c8 = c[8];
   const T c4 = c[4];
-  const T v_2_2c = cos_2g * c8 - sin_2g * c4;
-  const T v_2_2s = sin_2g * c8 + cos_2g * c4;
+  const T v_2_2c = cos_2ng * c8 + sin_2ng * c4;
+  const T v_2_2s = cos_2ng * c4 - sin_2ng * c8;
   const T c6 = c[6];
   const T t_14 = c6 - k_2 * v_2_2c;
-  const T t_15 = k_4 * t_4;
-  const T p_2_2 = k_3 * sin2_b * t_14 + t_15 * v_2_1c;
+  const T t_15 = k_4 * t_5;
+  const T p_2_2 = k_3 * sin2_b * t_14 - t_15 * v_2_1c;
   out[6] = c6 - p_2_2;                                           // l=2 m=0
-  const T q_2_2 = t_15 * t_14 + cos_2b * v_2_1c;
+  const T q_2_2 = cos_2b * v_2_1c - t_15 * t_14;
   const T t_16 = v_2_2c + k_2 * p_2_2;
-  const T p_2_1 = r[8] * v_2_2s + sin_b * v_2_1s;
-  const T q_2_1 = r[8] * v_2_1s - sin_b * v_2_2s;
+  const T p_2_1 = r[8] * v_2_2s - sin_b * v_2_1s;
+  const T q_2_1 = sin_b * v_2_2s + r[8] * v_2_1s;
   out[7] = cos_a * q_2_2 - sin_a * q_2_1;                        // l=2 m=1
   out[5] = sin_a * q_2_2 + cos_a * q_2_1;                        // l=2 m=-1
   out[8] = cos_2a * t_16 - sin_2a * p_2_1;                       // l=2 m=2
   out[4] = sin_2a * t_16 + cos_2a * p_2_1;                       // l=2 m=-2
   const T c13 = c[13];
   const T c11 = c[11];
-  const T v_3_1c = cos_g * c13 - sin_g * c11;
-  const T v_3_1s = sin_g * c13 + cos_g * c11;
+  const T v_3_1c = cos_ng * c13 + sin_ng * c11;
+  const T v_3_1s = cos_ng * c11 - sin_ng * c13;
   const T c14 = c[14];
   const T c10 = c[10];
-  const T v_3_2c = cos_2g * c14 - sin_2g * c10;
-  const T v_3_2s = sin_2g * c14 + cos_2g * c10;
+  const T v_3_2c = cos_2ng * c14 + sin_2ng * c10;
+  const T v_3_2s = cos_2ng * c10 - sin_2ng * c14;
   const T c15 = c[15];
   const T c9 = c[9];
-  const T v_3_3c = cos_3g * c15 - sin_3g * c9;
-  const T v_3_3s = sin_3g * c15 + cos_3g * c9;
+  const T v_3_3c = cos_3ng * c15 + sin_3ng * c9;
+  const T v_3_3s = cos_3ng * c9 - sin_3ng * c15;
   const T t_17 = k_5 * v_3_1c + v_3_3c;
   const T t_18 = v_3_1c - k_5 * v_3_3c;
   const T c12 = c[12];
   const T t_19 = k_6 * c12 + v_3_2c;
   const T t_20 = c12 - k_6 * v_3_2c;
   const T t_21 = k_8 * sin_b;
-  const T p_3_1 = k_7 * r[8] * t_17 + t_21 * t_19;
-  const T q_3_1 = k_9 * r[8] * t_19 - t_21 * t_17;
+  const T p_3_1 = k_7 * r[8] * t_17 - t_21 * t_19;
+  const T q_3_1 = t_21 * t_17 + k_9 * r[8] * t_19;
   const T t_22 = k_8 * sin_3b;
-  const T p_3_3 = k_7 * cos_3b * t_18 + t_22 * t_20;
-  const T q_3_3 = k_9 * cos_3b * t_20 - t_22 * t_18;
+  const T p_3_3 = k_7 * cos_3b * t_18 - t_22 * t_20;
+  const T q_3_3 = t_22 * t_18 + k_9 * cos_3b * t_20;
   const T t_23 = k_5 * p_3_1 + p_3_3;
   const T t_24 = p_3_1 - k_5 * p_3_3;
   out[12] = k_6 * q_3_1 + q_3_3;                                 // l=3 m=0
   const T t_25 = q_3_1 - k_6 * q_3_3;
   const T t_26 = v_3_1s - k_6 * v_3_3s;
-  const T t_27 = k_11 * t_4;
-  const T p_3_2 = k_10 * sin2_b * t_26 + t_27 * v_3_2s;
-  const T q_3_2 = t_27 * t_26 + cos_2b * v_3_2s;
+  const T t_27 = k_11 * t_5;
+  const T p_3_2 = k_10 * sin2_b * t_26 - t_27 * v_3_2s;
+  const T q_3_2 = cos_2b * v_3_2s - t_27 * t_26;
   const T t_28 = v_3_1s - p_3_2;
   const T t_29 = v_3_3s + k_6 * p_3_2;
   out[13] = cos_a * t_23 - sin_a * t_28;                         // l=3 m=1
@@ -289,32 +289,32 @@ constexpr void rotate_l6(const T* r, const T* c, T* out) noexcept {
   out[9] = sin_3a * t_24 + cos_3a * t_29;                        // l=3 m=-3
   const T c21 = c[21];
   const T c19 = c[19];
-  const T v_4_1c = cos_g * c21 - sin_g * c19;
-  const T v_4_1s = sin_g * c21 + cos_g * c19;
+  const T v_4_1c = cos_ng * c21 + sin_ng * c19;
+  const T v_4_1s = cos_ng * c19 - sin_ng * c21;
   const T c22 = c[22];
   const T c18 = c[18];
-  const T v_4_2c = cos_2g * c22 - sin_2g * c18;
-  const T v_4_2s = sin_2g * c22 + cos_2g * c18;
+  const T v_4_2c = cos_2ng * c22 + sin_2ng * c18;
+  const T v_4_2s = cos_2ng * c18 - sin_2ng * c22;
   const T c23 = c[23];
   const T c17 = c[17];
-  const T v_4_3c = cos_3g * c23 - sin_3g * c17;
-  const T v_4_3s = sin_3g * c23 + cos_3g * c17;
+  const T v_4_3c = cos_3ng * c23 + sin_3ng * c17;
+  const T v_4_3s = cos_3ng * c17 - sin_3ng * c23;
   const T c24 = c[24];
   const T c16 = c[16];
-  const T v_4_4c = cos_4g * c24 - sin_4g * c16;
-  const T v_4_4s = sin_4g * c24 + cos_4g * c16;
+  const T v_4_4c = cos_4ng * c24 + sin_4ng * c16;
+  const T v_4_4s = cos_4ng * c16 - sin_4ng * c24;
   const T c20 = c[20];
   const T t_30 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
   const T t_31 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
   const T t_32 = k_16 * v_4_1c + v_4_3c;
   const T t_33 = v_4_1c - k_16 * v_4_3c;
   const T t_34 = k_17 * sin2_b;
-  const T t_35 = k_18 * t_4;
-  const T q_4_2 = k_17 * cos_2b * t_32 - t_35 * t_30;
-  const T p_4_2 = t_34 * t_30 - t_35 * t_32;
-  const T t_36 = k_20 * t_9;
-  const T p_4_4 = k_19 * t_8 * t_31 + t_36 * t_33;
-  const T q_4_4 = t_36 * t_31 + k_17 * cos_4b * t_33;
+  const T t_35 = k_18 * t_5;
+  const T q_4_2 = t_35 * t_30 + k_17 * cos_2b * t_32;
+  const T p_4_2 = t_34 * t_30 + t_35 * t_32;
+  const T t_36 = k_20 * t_10;
+  const T p_4_4 = k_19 * t_9 * t_31 - t_36 * t_33;
+  const T q_4_4 = k_17 * cos_4b * t_33 - t_36 * t_31;
   out[20] = c20 - (p_4_4 - k_12 * p_4_2);                        // l=4 m=0
   const T t_37 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
   const T t_38 = v_4_4c - (p_4_2 + k_15 * p_4_4);
@@ -325,12 +325,12 @@ constexpr void rotate_l6(const T* r, const T* c, T* out) noexcept {
   const T t_43 = k_21 * v_4_1s + v_4_3s;
   const T t_44 = v_4_3s - k_22 * v_4_1s;
   const T t_45 = k_23 * sin_b;
-  const T p_4_1 = k_17 * r[8] * t_41 + t_45 * t_43;
+  const T p_4_1 = k_17 * r[8] * t_41 - t_45 * t_43;
   const T t_46 = k_24 * r[8];
-  const T q_4_1 = t_46 * t_43 - t_45 * t_41;
+  const T q_4_1 = t_45 * t_41 + t_46 * t_43;
   const T t_47 = k_25 * sin_3b;
-  const T p_4_3 = k_17 * cos_3b * t_42 - t_47 * t_44;
-  const T q_4_3 = t_47 * t_42 + k_26 * cos_3b * t_44;
+  const T p_4_3 = k_17 * cos_3b * t_42 + t_47 * t_44;
+  const T q_4_3 = k_26 * cos_3b * t_44 - t_47 * t_42;
   const T t_48 = k_16 * p_4_1 + p_4_3;
   const T t_49 = p_4_1 - k_16 * p_4_3;
   const T t_50 = q_4_1 + q_4_3;
@@ -345,24 +345,24 @@ constexpr void rotate_l6(const T* r, const T* c, T* out) noexcept {
   out[16] = sin_4a * t_38 + cos_4a * t_49;                       // l=4 m=-4
   const T c31 = c[31];
   const T c29 = c[29];
-  const T v_5_1c = cos_g * c31 - sin_g * c29;
-  const T v_5_1s = sin_g * c31 + cos_g * c29;
+  const T v_5_1c = cos_ng * c31 + sin_ng * c29;
+  const T v_5_1s = cos_ng * c29 - sin_ng * c31;
   const T c32 = c[32];
   const T c28 = c[28];
-  const T v_5_2c = cos_2g * c32 - sin_2g * c28;
-  const T v_5_2s = sin_2g * c32 + cos_2g * c28;
+  const T v_5_2c = cos_2ng * c32 + sin_2ng * c28;
+  const T v_5_2s = cos_2ng * c28 - sin_2ng * c32;
   const T c33 = c[33];
   const T c27 = c[27];
-  const T v_5_3c = cos_3g * c33 - sin_3g * c27;
-  const T v_5_3s = sin_3g * c33 + cos_3g * c27;
+  const T v_5_3c = cos_3ng * c33 + sin_3ng * c27;
+  const T v_5_3s = cos_3ng * c27 - sin_3ng * c33;
   const T c34 = c[34];
   const T c26 = c[26];
-  const T v_5_4c = cos_4g * c34 - sin_4g * c26;
-  const T v_5_4s = sin_4g * c34 + cos_4g * c26;
+  const T v_5_4c = cos_4ng * c34 + sin_4ng * c26;
+  const T v_5_4s = cos_4ng * c26 - sin_4ng * c34;
   const T c35 = c[35];
   const T c25 = c[25];
-  const T v_5_5c = cos_5g * c35 - sin_5g * c25;
-  const T v_5_5s = sin_5g * c35 + cos_5g * c25;
+  const T v_5_5c = cos_5ng * c35 + sin_5ng * c25;
+  const T v_5_5s = cos_5ng * c25 - sin_5ng * c35;
   const T t_52 = k_28 * v_5_3c - k_27 * v_5_1c + v_5_5c;
   const T t_53 = v_5_1c + k_29 * t_52;
   const T t_54 = v_5_3c - k_30 * t_52;
@@ -372,17 +372,17 @@ constexpr void rotate_l6(const T* r, const T* c, T* out) noexcept {
   const T t_57 = v_5_4c - k_33 * c30 - k_34 * v_5_2c;
   const T t_58 = c30 - k_35 * v_5_2c + k_36 * v_5_4c;
   const T t_59 = k_37 * sin_b;
-  const T q_5_1 = t_46 * t_56 - t_59 * t_53;
-  const T p_5_1 = r[8] * t_53 + t_59 * t_56;
+  const T q_5_1 = t_59 * t_53 + t_46 * t_56;
+  const T p_5_1 = r[8] * t_53 - t_59 * t_56;
   const T t_60 = k_79 * sin_b;
   const T t_61 = k_38 * sin_3b;
   const T t_62 = k_80 * sin_3b;
-  const T q_5_3 = t_61 * t_54 + k_39 * cos_3b * t_57;
-  const T p_5_3 = cos_3b * t_54 - t_61 * t_57;
+  const T q_5_3 = k_39 * cos_3b * t_57 - t_61 * t_54;
+  const T p_5_3 = cos_3b * t_54 + t_61 * t_57;
   const T t_63 = k_25 * sin_5b;
   const T t_64 = k_78 * sin_5b;
-  const T q_5_5 = k_40 * cos_5b * t_58 - t_63 * t_55;
-  const T p_5_5 = cos_5b * t_55 + t_63 * t_58;
+  const T q_5_5 = t_63 * t_55 + k_40 * cos_5b * t_58;
+  const T p_5_5 = cos_5b * t_55 - t_63 * t_58;
   const T t_65 = k_28 * p_5_3 - k_27 * p_5_1 + p_5_5;
   const T t_66 = p_5_1 + k_29 * t_65;
   const T t_67 = p_5_3 - k_30 * t_65;
@@ -394,14 +394,14 @@ constexpr void rotate_l6(const T* r, const T* c, T* out) noexcept {
   const T t_72 = v_5_3s - k_43 * v_5_1s - k_44 * v_5_5s;
   const T t_73 = k_2 * v_5_2s + v_5_4s;
   const T t_74 = v_5_2s - k_2 * v_5_4s;
-  const T t_75 = k_45 * t_4;
-  const T p_5_2 = t_34 * t_71 + t_75 * t_73;
-  const T t_76 = k_63 * t_4;
-  const T q_5_2 = t_75 * t_71 + k_46 * cos_2b * t_73;
-  const T t_77 = k_48 * t_9;
-  const T p_5_4 = k_47 * t_8 * t_72 - t_77 * t_74;
-  const T t_78 = k_66 * t_9;
-  const T q_5_4 = k_46 * cos_4b * t_74 - t_77 * t_72;
+  const T t_75 = k_45 * t_5;
+  const T p_5_2 = t_34 * t_71 - t_75 * t_73;
+  const T t_76 = k_63 * t_5;
+  const T q_5_2 = k_46 * cos_2b * t_73 - t_75 * t_71;
+  const T t_77 = k_48 * t_10;
+  const T p_5_4 = k_47 * t_9 * t_72 + t_77 * t_74;
+  const T t_78 = k_66 * t_10;
+  const T q_5_4 = t_77 * t_72 + k_46 * cos_4b * t_74;
   const T t_79 = v_5_1s - (p_5_2 - k_43 * p_5_4);
   const T t_80 = v_5_3s - (k_41 * p_5_2 + p_5_4);
   const T t_81 = v_5_5s + (k_42 * p_5_2 + k_44 * p_5_4);
@@ -419,41 +419,41 @@ constexpr void rotate_l6(const T* r, const T* c, T* out) noexcept {
   out[25] = sin_5a * t_68 + cos_5a * t_81;                       // l=5 m=-5
   const T c43 = c[43];
   const T c41 = c[41];
-  const T v_6_1c = cos_g * c43 - sin_g * c41;
-  const T v_6_1s = sin_g * c43 + cos_g * c41;
+  const T v_6_1c = cos_ng * c43 + sin_ng * c41;
+  const T v_6_1s = cos_ng * c41 - sin_ng * c43;
   const T c44 = c[44];
   const T c40 = c[40];
-  const T v_6_2c = cos_2g * c44 - sin_2g * c40;
-  const T v_6_2s = sin_2g * c44 + cos_2g * c40;
+  const T v_6_2c = cos_2ng * c44 + sin_2ng * c40;
+  const T v_6_2s = cos_2ng * c40 - sin_2ng * c44;
   const T c45 = c[45];
   const T c39 = c[39];
-  const T v_6_3c = cos_3g * c45 - sin_3g * c39;
-  const T v_6_3s = sin_3g * c45 + cos_3g * c39;
+  const T v_6_3c = cos_3ng * c45 + sin_3ng * c39;
+  const T v_6_3s = cos_3ng * c39 - sin_3ng * c45;
   const T c46 = c[46];
   const T c38 = c[38];
-  const T v_6_4c = cos_4g * c46 - sin_4g * c38;
-  const T v_6_4s = sin_4g * c46 + cos_4g * c38;
+  const T v_6_4c = cos_4ng * c46 + sin_4ng * c38;
+  const T v_6_4s = cos_4ng * c38 - sin_4ng * c46;
   const T c47 = c[47];
   const T c37 = c[37];
-  const T v_6_5c = cos_5g * c47 - sin_5g * c37;
-  const T v_6_5s = sin_5g * c47 + cos_5g * c37;
+  const T v_6_5c = cos_5ng * c47 + sin_5ng * c37;
+  const T v_6_5s = cos_5ng * c37 - sin_5ng * c47;
   const T c48 = c[48];
   const T c36 = c[36];
-  const T v_6_6c = cos_6g * c48 - sin_6g * c36;
-  const T v_6_6s = sin_6g * c48 + cos_6g * c36;
+  const T v_6_6c = cos_6ng * c48 + sin_6ng * c36;
+  const T v_6_6s = cos_6ng * c36 - sin_6ng * c48;
   const T c42 = c[42];
   const T t_84 = v_6_6c - k_49 * c42 - k_50 * v_6_2c - k_51 * v_6_4c;
   const T t_85 = v_6_4c - k_52 * c42 - k_53 * v_6_2c - k_54 * v_6_6c;
   const T t_86 = v_6_2c - k_27 * c42 - k_55 * v_6_4c + k_56 * v_6_6c;
   const T t_87 = k_51 * v_6_1c + k_57 * v_6_3c + v_6_5c;
-  const T p_6_2 = k_62 * sin2_b * t_84 - t_76 * t_87;
-  const T q_6_2 = k_64 * cos_2b * t_87 - t_76 * t_84;
+  const T p_6_2 = k_62 * sin2_b * t_84 + t_76 * t_87;
+  const T q_6_2 = t_76 * t_84 + k_64 * cos_2b * t_87;
   const T t_88 = k_58 * v_6_1c + v_6_3c - k_59 * v_6_5c;
   const T t_89 = v_6_1c - k_60 * v_6_3c + k_61 * v_6_5c;
-  const T p_6_4 = k_65 * t_8 * t_85 - t_78 * t_88;
-  const T q_6_4 = k_67 * cos_4b * t_88 - t_78 * t_85;
-  const T p_6_6 = k_62 * t_11 * t_86 - t_12 * t_89;
-  const T q_6_6 = (k_69 - k_70 * t_11) * t_89 - t_12 * t_86;
+  const T p_6_4 = k_65 * t_9 * t_85 + t_78 * t_88;
+  const T q_6_4 = t_78 * t_85 + k_67 * cos_4b * t_88;
+  const T p_6_6 = k_62 * t_12 * t_86 + t_13 * t_89;
+  const T q_6_6 = t_13 * t_86 + (k_69 - k_70 * t_12) * t_89;
   out[42] = c42 + (k_49 * p_6_2 + k_52 * p_6_4 + k_27 * p_6_6);  // l=6 m=0
   const T t_90 = v_6_2c - (p_6_6 - k_50 * p_6_2 - k_53 * p_6_4);
   const T t_91 = v_6_4c - (p_6_4 - k_51 * p_6_2 - k_55 * p_6_6);
@@ -468,29 +468,29 @@ constexpr void rotate_l6(const T* r, const T* c, T* out) noexcept {
   const T t_100 = v_6_1s + k_77 * t_99;
   const T t_101 = v_6_3s - k_7 * t_99;
   const T t_102 = v_6_5s - k_78 * t_99;
-  const T p_6_1 = k_69 * r[8] * t_96 + t_60 * t_100;
-  const T q_6_1 = t_60 * t_96 - r[8] * t_100;
-  const T p_6_3 = k_67 * cos_3b * t_97 + t_62 * t_101;
-  const T q_6_3 = t_62 * t_97 - cos_3b * t_101;
-  const T p_6_5 = k_64 * cos_5b * t_98 + t_64 * t_102;
-  const T q_6_5 = t_64 * t_98 - cos_5b * t_102;
+  const T p_6_1 = k_69 * r[8] * t_96 - t_60 * t_100;
+  const T q_6_1 = t_60 * t_96 + r[8] * t_100;
+  const T p_6_3 = k_67 * cos_3b * t_97 - t_62 * t_101;
+  const T q_6_3 = t_62 * t_97 + cos_3b * t_101;
+  const T p_6_5 = k_64 * cos_5b * t_98 - t_64 * t_102;
+  const T q_6_5 = t_64 * t_98 + cos_5b * t_102;
   const T t_103 = k_71 * p_6_1 + k_73 * p_6_3 + p_6_5;
   const T t_104 = k_72 * p_6_1 + p_6_3 - k_75 * p_6_5;
   const T t_105 = p_6_1 - k_74 * p_6_3 + k_76 * p_6_5;
-  const T t_106 = q_6_3 - k_58 * q_6_1 + k_59 * q_6_5;
-  const T t_107 = q_6_1 + k_77 * t_106;
-  const T t_108 = q_6_3 - k_7 * t_106;
-  const T t_109 = q_6_5 - k_78 * t_106;
+  const T t_106 = k_58 * q_6_1 - q_6_3 - k_59 * q_6_5;
+  const T t_107 = k_77 * t_106 - q_6_1;
+  const T t_108 = q_6_3 + k_7 * t_106;
+  const T t_109 = q_6_5 + k_78 * t_106;
   out[43] = cos_a * t_93 + sin_a * t_107;                        // l=6 m=1
   out[41] = sin_a * t_93 - cos_a * t_107;                        // l=6 m=-1
   out[44] = cos_2a * t_90 - sin_2a * t_103;                      // l=6 m=2
   out[40] = sin_2a * t_90 + cos_2a * t_103;                      // l=6 m=-2
-  out[45] = cos_3a * t_94 + sin_3a * t_108;                      // l=6 m=3
-  out[39] = sin_3a * t_94 - cos_3a * t_108;                      // l=6 m=-3
+  out[45] = cos_3a * t_94 - sin_3a * t_108;                      // l=6 m=3
+  out[39] = sin_3a * t_94 + cos_3a * t_108;                      // l=6 m=-3
   out[46] = cos_4a * t_91 - sin_4a * t_104;                      // l=6 m=4
   out[38] = sin_4a * t_91 + cos_4a * t_104;                      // l=6 m=-4
-  out[47] = cos_5a * t_95 + sin_5a * t_109;                      // l=6 m=5
-  out[37] = sin_5a * t_95 - cos_5a * t_109;                      // l=6 m=-5
+  out[47] = cos_5a * t_95 - sin_5a * t_109;                      // l=6 m=5
+  out[37] = sin_5a * t_95 + cos_5a * t_109;                      // l=6 m=-5
   out[48] = cos_6a * t_92 - sin_6a * t_105;                      // l=6 m=6
   out[36] = sin_6a * t_92 + cos_6a * t_105;                      // l=6 m=-6
 }

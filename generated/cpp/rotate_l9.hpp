@@ -10,13 +10,13 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         1119 multiplications, 761 additions, 1 divisions, 1 square roots, 3 selections; longest chain 37; at
+// Cost:         1118 multiplications, 762 additions, 1 divisions, 1 square roots, 3 selections; longest chain 37; at
 //               most 157 values live
 // Error:        eps counts units of machine epsilon x |c|
-//               float   rounding  largest seen 2.7e-06 (23.0 eps)
-//                       total     largest seen 3.0e-06 (25.1 eps)
-//               double  rounding  largest seen 5.4e-15 (24.5 eps)
-//                       total     largest seen 6.4e-15 (29.0 eps)
+//               float   rounding  largest seen 4.2e-06 (38.9 eps)
+//                       total     largest seen 4.1e-06 (38.1 eps)
+//               double  rounding  largest seen 6.3e-15 (28.5 eps)
+//                       total     largest seen 6.2e-15 (28.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
@@ -85,10 +85,10 @@ namespace sh {
 template <class T>
 constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   const T tiny  = detail::constant<T>(1.9721523e-31f, 1.9721522630525295e-31);  // 1/5070602400912917605986812821504
-  const T one   = detail::constant<T>(1.0f, 1.0);                               // 1
+  const T root  = detail::constant<T>(4.440892e-16f, 4.440892098500626e-16);    // 1/2251799813685248
   const T zero  = detail::constant<T>(0.0f, 0.0);                               // 0
+  const T one   = detail::constant<T>(1.0f, 1.0);                               // 1
   const T two   = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T half  = detail::constant<T>(0.5f, 0.5);                               // 1/2
   const T k     = detail::constant<T>(8.0f, 8.0);                               // 8
   const T k_2   = detail::constant<T>(32.0f, 32.0);                             // 32
   const T k_3   = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
@@ -354,140 +354,140 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   const T k_263 = detail::constant<T>(6.021446f, 6.021446047254762);            // 1/16 sqrt(9282)
 
   out[0] = c[0];                                                                            // l=0 m=0
+  const T c2 = c[2];
   const T c1 = c[1];
   const T c3 = c[3];
-  const T c2 = c[2];
   out[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;                                               // l=1 m=-1
   out[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;                                               // l=1 m=0
   out[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;                                               // l=1 m=1
-  const T sin2_b = r[2] * r[2] + r[5] * r[5];
-  const T x = detail::choose(sin2_b < tiny, one, r[2]);
-  const T y = detail::choose(sin2_b < tiny, zero, r[5]);
-  const T inv2 = two / detail::choose(sin2_b < tiny, one, sin2_b);
-  const T inv = detail::square_root<T>(half * inv2);
-  const T t = y * inv2;
-  const T cos_a = x * inv;
-  const T sin_2a = t * x;
+  const T sin2_b = r[6] * r[6] + r[7] * r[7];
+  const T x = detail::choose(sin2_b < tiny, root, r[6]);
+  const T y = detail::choose(sin2_b < tiny, zero, r[7]);
+  const T inv_sq = one / detail::choose(sin2_b < tiny, tiny, sin2_b);
+  const T inv = detail::square_root<T>(inv_sq);
+  const T t = y * (inv_sq + inv_sq);
+  const T cos_ng = x * inv;
+  const T sin_2ng = t * x;
   const T ty = t * y;
-  const T sin_a = y * inv;
+  const T sin_ng = y * inv;
   const T sin_b = sin2_b * inv;
-  const T cos_g = r[4] * cos_a - r[1] * sin_a;
-  const T sin_g = r[3] * cos_a - r[0] * sin_a;
-  const T cos_2a = one - ty;
-  const T t_2 = cos_2a - ty;
-  const T cos_3a = cos_a * t_2;
-  const T sin_3a = sin_a * (t_2 + two);
-  const T t_3 = cos_a + cos_a;
-  const T cos_4a = t_3 * cos_3a - cos_2a;
-  const T sin_4a = t_3 * sin_3a - sin_2a;
-  const T cos_5a = t_3 * cos_4a - cos_3a;
-  const T sin_5a = t_3 * sin_4a - sin_3a;
-  const T cos_6a = t_3 * cos_5a - cos_4a;
-  const T sin_6a = t_3 * sin_5a - sin_4a;
-  const T cos_7a = t_3 * cos_6a - cos_5a;
-  const T sin_7a = t_3 * sin_6a - sin_5a;
+  const T cos_a = r[4] * cos_ng - r[3] * sin_ng;
+  const T sin_a = r[0] * sin_ng - r[1] * cos_ng;
+  const T cos_2ng = one - ty;
+  const T t_2 = cos_2ng - ty;
+  const T cos_3ng = cos_ng * t_2;
+  const T sin_3ng = sin_ng * (t_2 + two);
+  const T t_3 = cos_ng + cos_ng;
+  const T cos_4ng = t_3 * cos_3ng - cos_2ng;
+  const T sin_4ng = t_3 * sin_3ng - sin_2ng;
+  const T cos_5ng = t_3 * cos_4ng - cos_3ng;
+  const T sin_5ng = t_3 * sin_4ng - sin_3ng;
+  const T cos_6ng = t_3 * cos_5ng - cos_4ng;
+  const T sin_6ng = t_3 * sin_5ng - sin_4ng;
+  const T cos_7ng = t_3 * cos_6ng - cos_5ng;
+  const T sin_7ng = t_3 * sin_6ng - sin_5ng;
+  const T cos_8ng = cos_4ng * cos_4ng - sin_4ng * sin_4ng;
+  const T sin_8ng = (sin_4ng + sin_4ng) * cos_4ng;
+  const T cos_9ng = t_3 * cos_8ng - cos_7ng;
+  const T sin_9ng = t_3 * sin_8ng - sin_7ng;
+  const T cos_2a = cos_a * cos_a - sin_a * sin_a;
+  const T sin_2a = (sin_a + sin_a) * cos_a;
+  const T t_4 = cos_a + cos_a;
+  const T cos_3a = t_4 * cos_2a - cos_a;
+  const T sin_3a = t_4 * sin_2a - sin_a;
+  const T cos_4a = cos_2a * cos_2a - sin_2a * sin_2a;
+  const T sin_4a = (sin_2a + sin_2a) * cos_2a;
+  const T cos_5a = t_4 * cos_4a - cos_3a;
+  const T sin_5a = t_4 * sin_4a - sin_3a;
+  const T cos_6a = t_4 * cos_5a - cos_4a;
+  const T sin_6a = t_4 * sin_5a - sin_4a;
+  const T cos_7a = t_4 * cos_6a - cos_5a;
+  const T sin_7a = t_4 * sin_6a - sin_5a;
   const T cos_8a = cos_4a * cos_4a - sin_4a * sin_4a;
   const T sin_8a = (sin_4a + sin_4a) * cos_4a;
-  const T cos_9a = t_3 * cos_8a - cos_7a;
-  const T sin_9a = t_3 * sin_8a - sin_7a;
-  const T t_4 = sin_b * r[8];
-  const T t_5 = two * sin2_b;
-  const T cos_2b = one - t_5;
-  const T t_6 = cos_2b - t_5;
-  const T t_7 = t_6 + two;
-  const T cos_3b = r[8] * t_6;
-  const T sin_3b = sin_b * t_7;
-  const T t_8 = t_4 * t_4;
-  const T t_9 = t_4 * cos_2b;
-  const T cos_4b = one - k * t_8;
-  const T t_10 = cos_4b + cos_4b;
-  const T t_11 = t_10 - t_6;
-  const T t_12 = t_10 + t_7;
-  const T cos_5b = r[8] * t_11;
-  const T sin_5b = sin_b * t_12;
-  const T t_13 = sin_3b * sin_3b;
-  const T t_14 = sin_3b * cos_3b;
-  const T cos_6b = one - two * t_13;
-  const T t_15 = cos_6b + cos_6b;
-  const T t_16 = t_15 - t_11;
-  const T t_17 = t_15 + t_12;
-  const T cos_7b = r[8] * t_16;
-  const T sin_7b = sin_b * t_17;
-  const T t_18 = t_9 * t_9;
-  const T t_19 = t_9 * cos_4b;
-  const T cos_8b = one - k_2 * t_18;
-  const T t_20 = cos_8b + cos_8b;
-  const T cos_9b = r[8] * (t_20 - t_16);
-  const T t_21 = k_228 * sin_b * (t_20 + t_17);
-  const T cos_2g = cos_g * cos_g - sin_g * sin_g;
-  const T sin_2g = (sin_g + sin_g) * cos_g;
-  const T t_22 = cos_g + cos_g;
-  const T cos_3g = t_22 * cos_2g - cos_g;
-  const T sin_3g = t_22 * sin_2g - sin_g;
-  const T cos_4g = cos_2g * cos_2g - sin_2g * sin_2g;
-  const T sin_4g = (sin_2g + sin_2g) * cos_2g;
-  const T cos_5g = t_22 * cos_4g - cos_3g;
-  const T sin_5g = t_22 * sin_4g - sin_3g;
-  const T cos_6g = t_22 * cos_5g - cos_4g;
-  const T sin_6g = t_22 * sin_5g - sin_4g;
-  const T cos_7g = t_22 * cos_6g - cos_5g;
-  const T sin_7g = t_22 * sin_6g - sin_5g;
-  const T cos_8g = cos_4g * cos_4g - sin_4g * sin_4g;
-  const T sin_8g = (sin_4g + sin_4g) * cos_4g;
-  const T cos_9g = t_22 * cos_8g - cos_7g;
-  const T sin_9g = t_22 * sin_8g - sin_7g;
+  const T cos_9a = t_4 * cos_8a - cos_7a;
+  const T sin_9a = t_4 * sin_8a - sin_7a;
+  const T t_5 = sin_b * r[8];
+  const T t_6 = two * sin2_b;
+  const T cos_2b = one - t_6;
+  const T t_7 = cos_2b - t_6;
+  const T t_8 = t_7 + two;
+  const T cos_3b = r[8] * t_7;
+  const T sin_3b = sin_b * t_8;
+  const T t_9 = t_5 * t_5;
+  const T t_10 = t_5 * cos_2b;
+  const T cos_4b = one - k * t_9;
+  const T t_11 = cos_4b + cos_4b;
+  const T t_12 = t_11 - t_7;
+  const T t_13 = t_11 + t_8;
+  const T cos_5b = r[8] * t_12;
+  const T sin_5b = sin_b * t_13;
+  const T t_14 = sin_3b * sin_3b;
+  const T t_15 = sin_3b * cos_3b;
+  const T cos_6b = one - two * t_14;
+  const T t_16 = cos_6b + cos_6b;
+  const T t_17 = t_16 - t_12;
+  const T t_18 = t_16 + t_13;
+  const T cos_7b = r[8] * t_17;
+  const T sin_7b = sin_b * t_18;
+  const T t_19 = t_10 * t_10;
+  const T t_20 = t_10 * cos_4b;
+  const T cos_8b = one - k_2 * t_19;
+  const T t_21 = cos_8b + cos_8b;
+  const T cos_9b = r[8] * (t_21 - t_17);
+  const T t_22 = k_228 * sin_b * (t_21 + t_18);
   const T c7 = c[7];
   const T c5 = c[5];
-  const T v_2_1c = cos_g * c7 - sin_g * c5;
-  const T v_2_1s = sin_g * c7 + cos_g * c5;
+  const T v_2_1c = cos_ng * c7 + sin_ng * c5;
+  const T v_2_1s = cos_ng * c5 - sin_ng * c7;
   const T c8 = c[8];
   const T c4 = c[4];
-  const T v_2_2c = cos_2g * c8 - sin_2g * c4;
-  const T v_2_2s = sin_2g * c8 + cos_2g * c4;
+  const T v_2_2c = cos_2ng * c8 + sin_2ng * c4;
+  const T v_2_2s = cos_2ng * c4 - sin_2ng * c8;
   const T c6 = c[6];
   const T t_23 = c6 - k_3 * v_2_2c;
-  const T t_24 = k_5 * t_4;
-  const T p_2_2 = k_4 * sin2_b * t_23 + t_24 * v_2_1c;
+  const T t_24 = k_5 * t_5;
+  const T p_2_2 = k_4 * sin2_b * t_23 - t_24 * v_2_1c;
   out[6] = c6 - p_2_2;                                                                      // l=2 m=0
-  const T q_2_2 = t_24 * t_23 + cos_2b * v_2_1c;
+  const T q_2_2 = cos_2b * v_2_1c - t_24 * t_23;
   const T t_25 = v_2_2c + k_3 * p_2_2;
-  const T p_2_1 = r[8] * v_2_2s + sin_b * v_2_1s;
-  const T q_2_1 = r[8] * v_2_1s - sin_b * v_2_2s;
+  const T p_2_1 = r[8] * v_2_2s - sin_b * v_2_1s;
+  const T q_2_1 = sin_b * v_2_2s + r[8] * v_2_1s;
   out[7] = cos_a * q_2_2 - sin_a * q_2_1;                                                   // l=2 m=1
   out[5] = sin_a * q_2_2 + cos_a * q_2_1;                                                   // l=2 m=-1
   out[8] = cos_2a * t_25 - sin_2a * p_2_1;                                                  // l=2 m=2
   out[4] = sin_2a * t_25 + cos_2a * p_2_1;                                                  // l=2 m=-2
   const T c13 = c[13];
   const T c11 = c[11];
-  const T v_3_1c = cos_g * c13 - sin_g * c11;
-  const T v_3_1s = sin_g * c13 + cos_g * c11;
+  const T v_3_1c = cos_ng * c13 + sin_ng * c11;
+  const T v_3_1s = cos_ng * c11 - sin_ng * c13;
   const T c14 = c[14];
   const T c10 = c[10];
-  const T v_3_2c = cos_2g * c14 - sin_2g * c10;
-  const T v_3_2s = sin_2g * c14 + cos_2g * c10;
+  const T v_3_2c = cos_2ng * c14 + sin_2ng * c10;
+  const T v_3_2s = cos_2ng * c10 - sin_2ng * c14;
   const T c15 = c[15];
   const T c9 = c[9];
-  const T v_3_3c = cos_3g * c15 - sin_3g * c9;
-  const T v_3_3s = sin_3g * c15 + cos_3g * c9;
+  const T v_3_3c = cos_3ng * c15 + sin_3ng * c9;
+  const T v_3_3s = cos_3ng * c9 - sin_3ng * c15;
   const T t_26 = k_6 * v_3_1c + v_3_3c;
   const T t_27 = v_3_1c - k_6 * v_3_3c;
   const T c12 = c[12];
   const T t_28 = k_7 * c12 + v_3_2c;
   const T t_29 = c12 - k_7 * v_3_2c;
   const T t_30 = k_9 * sin_b;
-  const T p_3_1 = k_8 * r[8] * t_26 + t_30 * t_28;
-  const T q_3_1 = k_10 * r[8] * t_28 - t_30 * t_26;
+  const T p_3_1 = k_8 * r[8] * t_26 - t_30 * t_28;
+  const T q_3_1 = t_30 * t_26 + k_10 * r[8] * t_28;
   const T t_31 = k_9 * sin_3b;
-  const T p_3_3 = k_8 * cos_3b * t_27 + t_31 * t_29;
-  const T q_3_3 = k_10 * cos_3b * t_29 - t_31 * t_27;
+  const T p_3_3 = k_8 * cos_3b * t_27 - t_31 * t_29;
+  const T q_3_3 = t_31 * t_27 + k_10 * cos_3b * t_29;
   const T t_32 = k_6 * p_3_1 + p_3_3;
   const T t_33 = p_3_1 - k_6 * p_3_3;
   out[12] = k_7 * q_3_1 + q_3_3;                                                            // l=3 m=0
   const T t_34 = q_3_1 - k_7 * q_3_3;
   const T t_35 = v_3_1s - k_7 * v_3_3s;
-  const T t_36 = k_12 * t_4;
-  const T p_3_2 = k_11 * sin2_b * t_35 + t_36 * v_3_2s;
-  const T q_3_2 = t_36 * t_35 + cos_2b * v_3_2s;
+  const T t_36 = k_12 * t_5;
+  const T p_3_2 = k_11 * sin2_b * t_35 - t_36 * v_3_2s;
+  const T q_3_2 = cos_2b * v_3_2s - t_36 * t_35;
   const T t_37 = v_3_1s - p_3_2;
   const T t_38 = v_3_3s + k_7 * p_3_2;
   out[13] = cos_a * t_32 - sin_a * t_37;                                                    // l=3 m=1
@@ -498,32 +498,32 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   out[9] = sin_3a * t_33 + cos_3a * t_38;                                                   // l=3 m=-3
   const T c21 = c[21];
   const T c19 = c[19];
-  const T v_4_1c = cos_g * c21 - sin_g * c19;
-  const T v_4_1s = sin_g * c21 + cos_g * c19;
+  const T v_4_1c = cos_ng * c21 + sin_ng * c19;
+  const T v_4_1s = cos_ng * c19 - sin_ng * c21;
   const T c22 = c[22];
   const T c18 = c[18];
-  const T v_4_2c = cos_2g * c22 - sin_2g * c18;
-  const T v_4_2s = sin_2g * c22 + cos_2g * c18;
+  const T v_4_2c = cos_2ng * c22 + sin_2ng * c18;
+  const T v_4_2s = cos_2ng * c18 - sin_2ng * c22;
   const T c23 = c[23];
   const T c17 = c[17];
-  const T v_4_3c = cos_3g * c23 - sin_3g * c17;
-  const T v_4_3s = sin_3g * c23 + cos_3g * c17;
+  const T v_4_3c = cos_3ng * c23 + sin_3ng * c17;
+  const T v_4_3s = cos_3ng * c17 - sin_3ng * c23;
   const T c24 = c[24];
   const T c16 = c[16];
-  const T v_4_4c = cos_4g * c24 - sin_4g * c16;
-  const T v_4_4s = sin_4g * c24 + cos_4g * c16;
+  const T v_4_4c = cos_4ng * c24 + sin_4ng * c16;
+  const T v_4_4s = cos_4ng * c16 - sin_4ng * c24;
   const T c20 = c[20];
   const T t_39 = v_4_4c - k_13 * c20 - k_14 * v_4_2c;
   const T t_40 = c20 - k_15 * v_4_2c + k_16 * v_4_4c;
   const T t_41 = k_17 * v_4_1c + v_4_3c;
   const T t_42 = v_4_1c - k_17 * v_4_3c;
   const T t_43 = k_18 * sin2_b;
-  const T t_44 = k_19 * t_4;
-  const T q_4_2 = k_18 * cos_2b * t_41 - t_44 * t_39;
-  const T p_4_2 = t_43 * t_39 - t_44 * t_41;
-  const T t_45 = k_21 * t_9;
-  const T p_4_4 = k_20 * t_8 * t_40 + t_45 * t_42;
-  const T q_4_4 = t_45 * t_40 + k_18 * cos_4b * t_42;
+  const T t_44 = k_19 * t_5;
+  const T q_4_2 = t_44 * t_39 + k_18 * cos_2b * t_41;
+  const T p_4_2 = t_43 * t_39 + t_44 * t_41;
+  const T t_45 = k_21 * t_10;
+  const T p_4_4 = k_20 * t_9 * t_40 - t_45 * t_42;
+  const T q_4_4 = k_18 * cos_4b * t_42 - t_45 * t_40;
   out[20] = c20 - (p_4_4 - k_13 * p_4_2);                                                   // l=4 m=0
   const T t_46 = v_4_2c + (k_14 * p_4_2 + k_15 * p_4_4);
   const T t_47 = v_4_4c - (p_4_2 + k_16 * p_4_4);
@@ -534,12 +534,12 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   const T t_52 = k_22 * v_4_1s + v_4_3s;
   const T t_53 = v_4_3s - k_23 * v_4_1s;
   const T t_54 = k_24 * sin_b;
-  const T p_4_1 = k_18 * r[8] * t_50 + t_54 * t_52;
+  const T p_4_1 = k_18 * r[8] * t_50 - t_54 * t_52;
   const T t_55 = k_25 * r[8];
-  const T q_4_1 = t_55 * t_52 - t_54 * t_50;
+  const T q_4_1 = t_54 * t_50 + t_55 * t_52;
   const T t_56 = k_26 * sin_3b;
-  const T p_4_3 = k_18 * cos_3b * t_51 - t_56 * t_53;
-  const T q_4_3 = t_56 * t_51 + k_27 * cos_3b * t_53;
+  const T p_4_3 = k_18 * cos_3b * t_51 + t_56 * t_53;
+  const T q_4_3 = k_27 * cos_3b * t_53 - t_56 * t_51;
   const T t_57 = k_17 * p_4_1 + p_4_3;
   const T t_58 = p_4_1 - k_17 * p_4_3;
   const T t_59 = q_4_1 + q_4_3;
@@ -554,24 +554,24 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   out[16] = sin_4a * t_47 + cos_4a * t_58;                                                  // l=4 m=-4
   const T c31 = c[31];
   const T c29 = c[29];
-  const T v_5_1c = cos_g * c31 - sin_g * c29;
-  const T v_5_1s = sin_g * c31 + cos_g * c29;
+  const T v_5_1c = cos_ng * c31 + sin_ng * c29;
+  const T v_5_1s = cos_ng * c29 - sin_ng * c31;
   const T c32 = c[32];
   const T c28 = c[28];
-  const T v_5_2c = cos_2g * c32 - sin_2g * c28;
-  const T v_5_2s = sin_2g * c32 + cos_2g * c28;
+  const T v_5_2c = cos_2ng * c32 + sin_2ng * c28;
+  const T v_5_2s = cos_2ng * c28 - sin_2ng * c32;
   const T c33 = c[33];
   const T c27 = c[27];
-  const T v_5_3c = cos_3g * c33 - sin_3g * c27;
-  const T v_5_3s = sin_3g * c33 + cos_3g * c27;
+  const T v_5_3c = cos_3ng * c33 + sin_3ng * c27;
+  const T v_5_3s = cos_3ng * c27 - sin_3ng * c33;
   const T c34 = c[34];
   const T c26 = c[26];
-  const T v_5_4c = cos_4g * c34 - sin_4g * c26;
-  const T v_5_4s = sin_4g * c34 + cos_4g * c26;
+  const T v_5_4c = cos_4ng * c34 + sin_4ng * c26;
+  const T v_5_4s = cos_4ng * c26 - sin_4ng * c34;
   const T c35 = c[35];
   const T c25 = c[25];
-  const T v_5_5c = cos_5g * c35 - sin_5g * c25;
-  const T v_5_5s = sin_5g * c35 + cos_5g * c25;
+  const T v_5_5c = cos_5ng * c35 + sin_5ng * c25;
+  const T v_5_5s = cos_5ng * c25 - sin_5ng * c35;
   const T t_61 = k_29 * v_5_3c - k_28 * v_5_1c + v_5_5c;
   const T t_62 = v_5_1c + k_30 * t_61;
   const T t_63 = v_5_3c - k_31 * t_61;
@@ -581,14 +581,14 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   const T t_66 = v_5_4c - k_34 * c30 - k_35 * v_5_2c;
   const T t_67 = c30 - k_36 * v_5_2c + k_37 * v_5_4c;
   const T t_68 = k_38 * sin_b;
-  const T q_5_1 = t_55 * t_65 - t_68 * t_62;
-  const T p_5_1 = r[8] * t_62 + t_68 * t_65;
+  const T q_5_1 = t_68 * t_62 + t_55 * t_65;
+  const T p_5_1 = r[8] * t_62 - t_68 * t_65;
   const T t_69 = k_39 * sin_3b;
-  const T q_5_3 = t_69 * t_63 + k_40 * cos_3b * t_66;
-  const T p_5_3 = cos_3b * t_63 - t_69 * t_66;
+  const T q_5_3 = k_40 * cos_3b * t_66 - t_69 * t_63;
+  const T p_5_3 = cos_3b * t_63 + t_69 * t_66;
   const T t_70 = k_26 * sin_5b;
-  const T q_5_5 = k_41 * cos_5b * t_67 - t_70 * t_64;
-  const T p_5_5 = cos_5b * t_64 + t_70 * t_67;
+  const T q_5_5 = t_70 * t_64 + k_41 * cos_5b * t_67;
+  const T p_5_5 = cos_5b * t_64 - t_70 * t_67;
   const T t_71 = k_29 * p_5_3 - k_28 * p_5_1 + p_5_5;
   const T t_72 = p_5_1 + k_30 * t_71;
   const T t_73 = p_5_3 - k_31 * t_71;
@@ -600,12 +600,12 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   const T t_78 = v_5_3s - k_44 * v_5_1s - k_45 * v_5_5s;
   const T t_79 = k_3 * v_5_2s + v_5_4s;
   const T t_80 = v_5_2s - k_3 * v_5_4s;
-  const T t_81 = k_46 * t_4;
-  const T p_5_2 = t_43 * t_77 + t_81 * t_79;
-  const T q_5_2 = t_81 * t_77 + k_47 * cos_2b * t_79;
-  const T t_82 = k_49 * t_9;
-  const T p_5_4 = k_48 * t_8 * t_78 - t_82 * t_80;
-  const T q_5_4 = k_47 * cos_4b * t_80 - t_82 * t_78;
+  const T t_81 = k_46 * t_5;
+  const T p_5_2 = t_43 * t_77 - t_81 * t_79;
+  const T q_5_2 = k_47 * cos_2b * t_79 - t_81 * t_77;
+  const T t_82 = k_49 * t_10;
+  const T p_5_4 = k_48 * t_9 * t_78 + t_82 * t_80;
+  const T q_5_4 = t_82 * t_78 + k_47 * cos_4b * t_80;
   const T t_83 = v_5_1s - (p_5_2 - k_44 * p_5_4);
   const T t_84 = v_5_3s - (k_42 * p_5_2 + p_5_4);
   const T t_85 = v_5_5s + (k_43 * p_5_2 + k_45 * p_5_4);
@@ -623,28 +623,28 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   out[25] = sin_5a * t_74 + cos_5a * t_85;                                                  // l=5 m=-5
   const T c43 = c[43];
   const T c41 = c[41];
-  const T v_6_1c = cos_g * c43 - sin_g * c41;
-  const T v_6_1s = sin_g * c43 + cos_g * c41;
+  const T v_6_1c = cos_ng * c43 + sin_ng * c41;
+  const T v_6_1s = cos_ng * c41 - sin_ng * c43;
   const T c44 = c[44];
   const T c40 = c[40];
-  const T v_6_2c = cos_2g * c44 - sin_2g * c40;
-  const T v_6_2s = sin_2g * c44 + cos_2g * c40;
+  const T v_6_2c = cos_2ng * c44 + sin_2ng * c40;
+  const T v_6_2s = cos_2ng * c40 - sin_2ng * c44;
   const T c45 = c[45];
   const T c39 = c[39];
-  const T v_6_3c = cos_3g * c45 - sin_3g * c39;
-  const T v_6_3s = sin_3g * c45 + cos_3g * c39;
+  const T v_6_3c = cos_3ng * c45 + sin_3ng * c39;
+  const T v_6_3s = cos_3ng * c39 - sin_3ng * c45;
   const T c46 = c[46];
   const T c38 = c[38];
-  const T v_6_4c = cos_4g * c46 - sin_4g * c38;
-  const T v_6_4s = sin_4g * c46 + cos_4g * c38;
+  const T v_6_4c = cos_4ng * c46 + sin_4ng * c38;
+  const T v_6_4s = cos_4ng * c38 - sin_4ng * c46;
   const T c47 = c[47];
   const T c37 = c[37];
-  const T v_6_5c = cos_5g * c47 - sin_5g * c37;
-  const T v_6_5s = sin_5g * c47 + cos_5g * c37;
+  const T v_6_5c = cos_5ng * c47 + sin_5ng * c37;
+  const T v_6_5s = cos_5ng * c37 - sin_5ng * c47;
   const T c48 = c[48];
   const T c36 = c[36];
-  const T v_6_6c = cos_6g * c48 - sin_6g * c36;
-  const T v_6_6s = sin_6g * c48 + cos_6g * c36;
+  const T v_6_6c = cos_6ng * c48 + sin_6ng * c36;
+  const T v_6_6s = cos_6ng * c36 - sin_6ng * c48;
   const T c42 = c[42];
   const T t_88 = v_6_6c - k_50 * c42 - k_51 * v_6_2c - k_52 * v_6_4c;
   const T t_89 = v_6_4c - k_53 * c42 - k_54 * v_6_2c - k_55 * v_6_6c;
@@ -652,15 +652,15 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   const T t_91 = k_52 * v_6_1c + k_58 * v_6_3c + v_6_5c;
   const T t_92 = k_59 * v_6_1c + v_6_3c - k_60 * v_6_5c;
   const T t_93 = v_6_1c - k_61 * v_6_3c + k_62 * v_6_5c;
-  const T t_94 = k_64 * t_4;
-  const T p_6_2 = k_63 * sin2_b * t_88 - t_94 * t_91;
-  const T q_6_2 = k_65 * cos_2b * t_91 - t_94 * t_88;
-  const T t_95 = k_67 * t_9;
-  const T p_6_4 = k_66 * t_8 * t_89 - t_95 * t_92;
-  const T q_6_4 = k_68 * cos_4b * t_92 - t_95 * t_89;
-  const T t_96 = k_69 * t_14;
-  const T p_6_6 = k_63 * t_13 * t_90 - t_96 * t_93;
-  const T q_6_6 = k_70 * cos_6b * t_93 - t_96 * t_90;
+  const T t_94 = k_64 * t_5;
+  const T p_6_2 = k_63 * sin2_b * t_88 + t_94 * t_91;
+  const T q_6_2 = t_94 * t_88 + k_65 * cos_2b * t_91;
+  const T t_95 = k_67 * t_10;
+  const T p_6_4 = k_66 * t_9 * t_89 + t_95 * t_92;
+  const T q_6_4 = t_95 * t_89 + k_68 * cos_4b * t_92;
+  const T t_96 = k_69 * t_15;
+  const T p_6_6 = k_63 * t_14 * t_90 + t_96 * t_93;
+  const T q_6_6 = t_96 * t_90 + k_70 * cos_6b * t_93;
   out[42] = c42 + (k_50 * p_6_2 + k_53 * p_6_4 + k_28 * p_6_6);                             // l=6 m=0
   const T t_97 = v_6_2c - (p_6_6 - k_51 * p_6_2 - k_54 * p_6_4);
   const T t_98 = v_6_4c - (p_6_4 - k_52 * p_6_2 - k_56 * p_6_6);
@@ -676,61 +676,61 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   const T t_108 = v_6_3s - k_8 * t_106;
   const T t_109 = v_6_5s - k_78 * t_106;
   const T t_110 = k_79 * sin_b;
-  const T p_6_1 = k_70 * r[8] * t_103 + t_110 * t_107;
-  const T q_6_1 = t_110 * t_103 - r[8] * t_107;
+  const T p_6_1 = k_70 * r[8] * t_103 - t_110 * t_107;
+  const T q_6_1 = t_110 * t_103 + r[8] * t_107;
   const T t_111 = k_80 * sin_3b;
-  const T p_6_3 = k_68 * cos_3b * t_104 + t_111 * t_108;
-  const T q_6_3 = t_111 * t_104 - cos_3b * t_108;
+  const T p_6_3 = k_68 * cos_3b * t_104 - t_111 * t_108;
+  const T q_6_3 = t_111 * t_104 + cos_3b * t_108;
   const T t_112 = k_78 * sin_5b;
-  const T p_6_5 = k_65 * cos_5b * t_105 + t_112 * t_109;
-  const T q_6_5 = t_112 * t_105 - cos_5b * t_109;
+  const T p_6_5 = k_65 * cos_5b * t_105 - t_112 * t_109;
+  const T q_6_5 = t_112 * t_105 + cos_5b * t_109;
   const T t_113 = k_71 * p_6_1 + k_73 * p_6_3 + p_6_5;
   const T t_114 = k_72 * p_6_1 + p_6_3 - k_75 * p_6_5;
   const T t_115 = p_6_1 - k_74 * p_6_3 + k_76 * p_6_5;
-  const T t_116 = q_6_3 - k_59 * q_6_1 + k_60 * q_6_5;
-  const T t_117 = q_6_1 + k_77 * t_116;
-  const T t_118 = q_6_3 - k_8 * t_116;
-  const T t_119 = q_6_5 - k_78 * t_116;
+  const T t_116 = k_59 * q_6_1 - q_6_3 - k_60 * q_6_5;
+  const T t_117 = k_77 * t_116 - q_6_1;
+  const T t_118 = q_6_3 + k_8 * t_116;
+  const T t_119 = q_6_5 + k_78 * t_116;
   out[43] = cos_a * t_100 + sin_a * t_117;                                                  // l=6 m=1
   out[41] = sin_a * t_100 - cos_a * t_117;                                                  // l=6 m=-1
   out[44] = cos_2a * t_97 - sin_2a * t_113;                                                 // l=6 m=2
   out[40] = sin_2a * t_97 + cos_2a * t_113;                                                 // l=6 m=-2
-  out[45] = cos_3a * t_101 + sin_3a * t_118;                                                // l=6 m=3
-  out[39] = sin_3a * t_101 - cos_3a * t_118;                                                // l=6 m=-3
+  out[45] = cos_3a * t_101 - sin_3a * t_118;                                                // l=6 m=3
+  out[39] = sin_3a * t_101 + cos_3a * t_118;                                                // l=6 m=-3
   out[46] = cos_4a * t_98 - sin_4a * t_114;                                                 // l=6 m=4
   out[38] = sin_4a * t_98 + cos_4a * t_114;                                                 // l=6 m=-4
-  out[47] = cos_5a * t_102 + sin_5a * t_119;                                                // l=6 m=5
-  out[37] = sin_5a * t_102 - cos_5a * t_119;                                                // l=6 m=-5
+  out[47] = cos_5a * t_102 - sin_5a * t_119;                                                // l=6 m=5
+  out[37] = sin_5a * t_102 + cos_5a * t_119;                                                // l=6 m=-5
   out[48] = cos_6a * t_99 - sin_6a * t_115;                                                 // l=6 m=6
   out[36] = sin_6a * t_99 + cos_6a * t_115;                                                 // l=6 m=-6
   const T c57 = c[57];
   const T c55 = c[55];
-  const T v_7_1c = cos_g * c57 - sin_g * c55;
-  const T v_7_1s = sin_g * c57 + cos_g * c55;
+  const T v_7_1c = cos_ng * c57 + sin_ng * c55;
+  const T v_7_1s = cos_ng * c55 - sin_ng * c57;
   const T c58 = c[58];
   const T c54 = c[54];
-  const T v_7_2c = cos_2g * c58 - sin_2g * c54;
-  const T v_7_2s = sin_2g * c58 + cos_2g * c54;
+  const T v_7_2c = cos_2ng * c58 + sin_2ng * c54;
+  const T v_7_2s = cos_2ng * c54 - sin_2ng * c58;
   const T c59 = c[59];
   const T c53 = c[53];
-  const T v_7_3c = cos_3g * c59 - sin_3g * c53;
-  const T v_7_3s = sin_3g * c59 + cos_3g * c53;
+  const T v_7_3c = cos_3ng * c59 + sin_3ng * c53;
+  const T v_7_3s = cos_3ng * c53 - sin_3ng * c59;
   const T c60 = c[60];
   const T c52 = c[52];
-  const T v_7_4c = cos_4g * c60 - sin_4g * c52;
-  const T v_7_4s = sin_4g * c60 + cos_4g * c52;
+  const T v_7_4c = cos_4ng * c60 + sin_4ng * c52;
+  const T v_7_4s = cos_4ng * c52 - sin_4ng * c60;
   const T c61 = c[61];
   const T c51 = c[51];
-  const T v_7_5c = cos_5g * c61 - sin_5g * c51;
-  const T v_7_5s = sin_5g * c61 + cos_5g * c51;
+  const T v_7_5c = cos_5ng * c61 + sin_5ng * c51;
+  const T v_7_5s = cos_5ng * c51 - sin_5ng * c61;
   const T c62 = c[62];
   const T c50 = c[50];
-  const T v_7_6c = cos_6g * c62 - sin_6g * c50;
-  const T v_7_6s = sin_6g * c62 + cos_6g * c50;
+  const T v_7_6c = cos_6ng * c62 + sin_6ng * c50;
+  const T v_7_6s = cos_6ng * c50 - sin_6ng * c62;
   const T c63 = c[63];
   const T c49 = c[49];
-  const T v_7_7c = cos_7g * c63 - sin_7g * c49;
-  const T v_7_7s = sin_7g * c63 + cos_7g * c49;
+  const T v_7_7c = cos_7ng * c63 + sin_7ng * c49;
+  const T v_7_7s = cos_7ng * c49 - sin_7ng * c63;
   const T t_120 = v_7_1c + k_81 * v_7_5c + k_82 * v_7_7c;
   const T t_121 = v_7_3c + k_83 * v_7_5c - k_84 * v_7_7c;
   const T t_122 = v_7_1c - k_85 * t_120 - k_86 * t_121;
@@ -743,19 +743,19 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   const T t_128 = v_7_4c - k_97 * c56 - k_98 * v_7_2c - k_99 * v_7_6c;
   const T t_129 = v_7_2c - k_100 * c56 - k_101 * v_7_4c + k_102 * v_7_6c;
   const T t_130 = k_103 * sin_b;
-  const T q_7_1 = t_130 * t_122 + k_104 * r[8] * t_126;
-  const T p_7_1 = r[8] * t_122 - t_130 * t_126;
+  const T q_7_1 = k_104 * r[8] * t_126 - t_130 * t_122;
+  const T p_7_1 = r[8] * t_122 + t_130 * t_126;
   const T t_131 = k_105 * sin_3b;
-  const T q_7_3 = k_106 * cos_3b * t_127 - t_131 * t_123;
-  const T p_7_3 = cos_3b * t_123 + t_131 * t_127;
+  const T q_7_3 = t_131 * t_123 + k_106 * cos_3b * t_127;
+  const T p_7_3 = cos_3b * t_123 - t_131 * t_127;
   const T t_132 = k_107 * sin_5b;
-  const T q_7_5 = k_108 * cos_5b * t_128 - t_132 * t_124;
-  const T p_7_5 = cos_5b * t_124 + t_132 * t_128;
+  const T q_7_5 = t_132 * t_124 + k_108 * cos_5b * t_128;
+  const T p_7_5 = cos_5b * t_124 - t_132 * t_128;
   const T t_133 = k_109 * sin_7b;
   const T t_134 = k_226 * sin_7b;
   const T t_135 = k_110 * cos_7b;
-  const T p_7_7 = cos_7b * t_125 + t_133 * t_129;
-  const T q_7_7 = t_135 * t_129 - t_133 * t_125;
+  const T p_7_7 = cos_7b * t_125 - t_133 * t_129;
+  const T q_7_7 = t_133 * t_125 + t_135 * t_129;
   const T t_136 = p_7_1 + k_81 * p_7_5 + k_82 * p_7_7;
   const T t_137 = p_7_3 + k_83 * p_7_5 - k_84 * p_7_7;
   const T t_138 = p_7_1 - k_85 * t_136 - k_86 * t_137;
@@ -774,69 +774,69 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   const T t_150 = v_7_4s - k_122 * t_148;
   const T t_151 = v_7_6s - k_123 * t_148;
   const T t_152 = k_124 * sin2_b;
-  const T t_153 = k_125 * t_4;
-  const T p_7_2 = t_152 * t_145 - t_153 * t_149;
-  const T q_7_2 = t_153 * t_145 - cos_2b * t_149;
-  const T t_154 = k_127 * t_9;
-  const T p_7_4 = k_126 * t_8 * t_146 - t_154 * t_150;
-  const T q_7_4 = t_154 * t_146 - cos_4b * t_150;
-  const T t_155 = k_129 * t_14;
-  const T p_7_6 = k_128 * t_13 * t_147 - t_155 * t_151;
-  const T q_7_6 = t_155 * t_147 - cos_6b * t_151;
+  const T t_153 = k_125 * t_5;
+  const T p_7_2 = t_152 * t_145 + t_153 * t_149;
+  const T q_7_2 = t_153 * t_145 + cos_2b * t_149;
+  const T t_154 = k_127 * t_10;
+  const T p_7_4 = k_126 * t_9 * t_146 + t_154 * t_150;
+  const T q_7_4 = t_154 * t_146 + cos_4b * t_150;
+  const T t_155 = k_129 * t_15;
+  const T p_7_6 = k_128 * t_14 * t_147 + t_155 * t_151;
+  const T q_7_6 = t_155 * t_147 + cos_6b * t_151;
   const T t_156 = v_7_1s + (k_111 * p_7_2 + k_114 * p_7_4 + k_3 * p_7_6);
   const T t_157 = v_7_3s - (k_115 * p_7_4 - k_112 * p_7_2 + p_7_6);
   const T t_158 = v_7_5s - (p_7_4 - k_113 * p_7_2 - k_117 * p_7_6);
   const T t_159 = v_7_7s - (p_7_2 - k_116 * p_7_4 + k_118 * p_7_6);
-  const T t_160 = k_120 * q_7_4 - k_119 * q_7_2 + q_7_6;
-  const T t_161 = q_7_2 + k_121 * t_160;
-  const T t_162 = q_7_4 - k_122 * t_160;
-  const T t_163 = q_7_6 - k_123 * t_160;
+  const T t_160 = k_119 * q_7_2 - k_120 * q_7_4 - q_7_6;
+  const T t_161 = k_121 * t_160 - q_7_2;
+  const T t_162 = q_7_4 + k_122 * t_160;
+  const T t_163 = q_7_6 + k_123 * t_160;
   out[57] = cos_a * t_138 - sin_a * t_156;                                                  // l=7 m=1
   out[55] = sin_a * t_138 + cos_a * t_156;                                                  // l=7 m=-1
   out[58] = cos_2a * t_142 + sin_2a * t_161;                                                // l=7 m=2
   out[54] = sin_2a * t_142 - cos_2a * t_161;                                                // l=7 m=-2
   out[59] = cos_3a * t_139 - sin_3a * t_157;                                                // l=7 m=3
   out[53] = sin_3a * t_139 + cos_3a * t_157;                                                // l=7 m=-3
-  out[60] = cos_4a * t_143 + sin_4a * t_162;                                                // l=7 m=4
-  out[52] = sin_4a * t_143 - cos_4a * t_162;                                                // l=7 m=-4
+  out[60] = cos_4a * t_143 - sin_4a * t_162;                                                // l=7 m=4
+  out[52] = sin_4a * t_143 + cos_4a * t_162;                                                // l=7 m=-4
   out[61] = cos_5a * t_140 - sin_5a * t_158;                                                // l=7 m=5
   out[51] = sin_5a * t_140 + cos_5a * t_158;                                                // l=7 m=-5
-  out[62] = cos_6a * t_144 + sin_6a * t_163;                                                // l=7 m=6
-  out[50] = sin_6a * t_144 - cos_6a * t_163;                                                // l=7 m=-6
+  out[62] = cos_6a * t_144 - sin_6a * t_163;                                                // l=7 m=6
+  out[50] = sin_6a * t_144 + cos_6a * t_163;                                                // l=7 m=-6
   out[63] = cos_7a * t_141 - sin_7a * t_159;                                                // l=7 m=7
   out[49] = sin_7a * t_141 + cos_7a * t_159;                                                // l=7 m=-7
   const T c73 = c[73];
   const T c71 = c[71];
-  const T v_8_1c = cos_g * c73 - sin_g * c71;
-  const T v_8_1s = sin_g * c73 + cos_g * c71;
+  const T v_8_1c = cos_ng * c73 + sin_ng * c71;
+  const T v_8_1s = cos_ng * c71 - sin_ng * c73;
   const T c74 = c[74];
   const T c70 = c[70];
-  const T v_8_2c = cos_2g * c74 - sin_2g * c70;
-  const T v_8_2s = sin_2g * c74 + cos_2g * c70;
+  const T v_8_2c = cos_2ng * c74 + sin_2ng * c70;
+  const T v_8_2s = cos_2ng * c70 - sin_2ng * c74;
   const T c75 = c[75];
   const T c69 = c[69];
-  const T v_8_3c = cos_3g * c75 - sin_3g * c69;
-  const T v_8_3s = sin_3g * c75 + cos_3g * c69;
+  const T v_8_3c = cos_3ng * c75 + sin_3ng * c69;
+  const T v_8_3s = cos_3ng * c69 - sin_3ng * c75;
   const T c76 = c[76];
   const T c68 = c[68];
-  const T v_8_4c = cos_4g * c76 - sin_4g * c68;
-  const T v_8_4s = sin_4g * c76 + cos_4g * c68;
+  const T v_8_4c = cos_4ng * c76 + sin_4ng * c68;
+  const T v_8_4s = cos_4ng * c68 - sin_4ng * c76;
   const T c77 = c[77];
   const T c67 = c[67];
-  const T v_8_5c = cos_5g * c77 - sin_5g * c67;
-  const T v_8_5s = sin_5g * c77 + cos_5g * c67;
+  const T v_8_5c = cos_5ng * c77 + sin_5ng * c67;
+  const T v_8_5s = cos_5ng * c67 - sin_5ng * c77;
   const T c78 = c[78];
   const T c66 = c[66];
-  const T v_8_6c = cos_6g * c78 - sin_6g * c66;
-  const T v_8_6s = sin_6g * c78 + cos_6g * c66;
+  const T v_8_6c = cos_6ng * c78 + sin_6ng * c66;
+  const T v_8_6s = cos_6ng * c66 - sin_6ng * c78;
   const T c79 = c[79];
   const T c65 = c[65];
-  const T v_8_7c = cos_7g * c79 - sin_7g * c65;
-  const T v_8_7s = sin_7g * c79 + cos_7g * c65;
+  const T v_8_7c = cos_7ng * c79 + sin_7ng * c65;
+  const T v_8_7s = cos_7ng * c65 - sin_7ng * c79;
   const T c80 = c[80];
   const T c64 = c[64];
-  const T v_8_8c = cos_8g * c80 - sin_8g * c64;
-  const T v_8_8s = sin_8g * c80 + cos_8g * c64;
+  const T v_8_8c = cos_8ng * c80 + sin_8ng * c64;
+  const T v_8_8s = cos_8ng * c64 - sin_8ng * c80;
   const T c72 = c[72];
   const T t_164 = v_8_8c - k_130 * c72 - k_131 * v_8_2c - k_132 * v_8_4c;
   const T t_165 = k_135 * v_8_4c - k_133 * c72 - k_134 * v_8_2c + v_8_6c - k_136 * v_8_8c;
@@ -846,22 +846,22 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   const T t_169 = v_8_7c - k_146 * v_8_1c - k_147 * v_8_3c - k_148 * v_8_5c;
   const T t_170 = v_8_5c - k_149 * v_8_1c - k_150 * v_8_3c - k_151 * v_8_7c;
   const T t_171 = v_8_1c - k_152 * v_8_3c + k_153 * v_8_5c - k_154 * v_8_7c;
-  const T t_172 = k_124 * t_4;
-  const T p_8_2 = t_152 * t_164 - t_172 * t_168;
-  const T t_173 = k_257 * t_4;
-  const T q_8_2 = k_110 * cos_2b * t_168 - t_172 * t_164;
-  const T t_174 = k_156 * t_9;
-  const T p_8_4 = k_155 * t_8 * t_165 + t_174 * t_169;
-  const T t_175 = k_259 * t_9;
-  const T q_8_4 = t_174 * t_165 + k_157 * cos_4b * t_169;
-  const T t_176 = k_159 * t_14;
-  const T p_8_6 = k_158 * t_13 * t_166 + t_176 * t_170;
-  const T t_177 = k_261 * t_14;
-  const T q_8_6 = t_176 * t_166 + k_160 * cos_6b * t_170;
-  const T t_178 = k_162 * t_19;
-  const T p_8_8 = k_161 * t_18 * t_167 - t_178 * t_171;
-  const T t_179 = k_263 * t_19;
-  const T q_8_8 = k_163 * cos_8b * t_171 - t_178 * t_167;
+  const T t_172 = k_124 * t_5;
+  const T p_8_2 = t_152 * t_164 + t_172 * t_168;
+  const T t_173 = k_257 * t_5;
+  const T q_8_2 = t_172 * t_164 + k_110 * cos_2b * t_168;
+  const T t_174 = k_156 * t_10;
+  const T p_8_4 = k_155 * t_9 * t_165 - t_174 * t_169;
+  const T t_175 = k_259 * t_10;
+  const T q_8_4 = k_157 * cos_4b * t_169 - t_174 * t_165;
+  const T t_176 = k_159 * t_15;
+  const T p_8_6 = k_158 * t_14 * t_166 - t_176 * t_170;
+  const T t_177 = k_261 * t_15;
+  const T q_8_6 = k_160 * cos_6b * t_170 - t_176 * t_166;
+  const T t_178 = k_162 * t_20;
+  const T p_8_8 = k_161 * t_19 * t_167 + t_178 * t_171;
+  const T t_179 = k_263 * t_20;
+  const T q_8_8 = t_178 * t_167 + k_163 * cos_8b * t_171;
   out[72] = c72 + (k_130 * p_8_2 + k_133 * p_8_4 + k_137 * p_8_6 + k_140 * p_8_8);          // l=8 m=0
   const T t_180 = v_8_2c - (p_8_8 - k_131 * p_8_2 - k_134 * p_8_4);
   const T t_181 = v_8_4c - (k_135 * p_8_4 - k_132 * p_8_2 + p_8_6 - k_141 * p_8_8);
@@ -881,19 +881,19 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   const T t_195 = v_8_3s - k_179 * t_192 - k_180 * t_193;
   const T t_196 = v_8_5s - k_181 * t_192 + k_182 * t_193;
   const T t_197 = v_8_7s + k_182 * t_192 - k_183 * t_193;
-  const T p_8_7 = t_135 * t_191 + t_133 * t_197;
-  const T q_8_7 = cos_7b * t_197 - t_133 * t_191;
+  const T p_8_7 = t_135 * t_191 - t_133 * t_197;
+  const T q_8_7 = t_133 * t_191 + cos_7b * t_197;
   const T t_198 = k_184 * sin_b;
-  const T p_8_1 = k_163 * r[8] * t_188 + t_198 * t_194;
-  const T q_8_1 = r[8] * t_194 - t_198 * t_188;
+  const T p_8_1 = k_163 * r[8] * t_188 - t_198 * t_194;
+  const T q_8_1 = t_198 * t_188 + r[8] * t_194;
   const T t_199 = k_222 * sin_b;
   const T t_200 = k_186 * sin_3b;
-  const T p_8_3 = k_185 * cos_3b * t_189 + t_200 * t_195;
-  const T q_8_3 = cos_3b * t_195 - t_200 * t_189;
+  const T p_8_3 = k_185 * cos_3b * t_189 - t_200 * t_195;
+  const T q_8_3 = t_200 * t_189 + cos_3b * t_195;
   const T t_201 = k_224 * sin_3b;
   const T t_202 = k_187 * sin_5b;
-  const T p_8_5 = k_160 * cos_5b * t_190 - t_202 * t_196;
-  const T q_8_5 = t_202 * t_190 + cos_5b * t_196;
+  const T p_8_5 = k_160 * cos_5b * t_190 + t_202 * t_196;
+  const T q_8_5 = cos_5b * t_196 - t_202 * t_190;
   const T t_203 = k_186 * sin_5b;
   const T t_204 = k_164 * p_8_1 + k_167 * p_8_3 - k_170 * p_8_5 + p_8_7;
   const T t_205 = k_165 * p_8_1 + p_8_3 - k_171 * p_8_5 - k_173 * p_8_7;
@@ -923,40 +923,40 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   out[64] = sin_8a * t_183 + cos_8a * t_207;                                                // l=8 m=-8
   const T c91 = c[91];
   const T c89 = c[89];
-  const T v_9_1c = cos_g * c91 - sin_g * c89;
-  const T v_9_1s = sin_g * c91 + cos_g * c89;
+  const T v_9_1c = cos_ng * c91 + sin_ng * c89;
+  const T v_9_1s = cos_ng * c89 - sin_ng * c91;
   const T c92 = c[92];
   const T c88 = c[88];
-  const T v_9_2c = cos_2g * c92 - sin_2g * c88;
-  const T v_9_2s = sin_2g * c92 + cos_2g * c88;
+  const T v_9_2c = cos_2ng * c92 + sin_2ng * c88;
+  const T v_9_2s = cos_2ng * c88 - sin_2ng * c92;
   const T c93 = c[93];
   const T c87 = c[87];
-  const T v_9_3c = cos_3g * c93 - sin_3g * c87;
-  const T v_9_3s = sin_3g * c93 + cos_3g * c87;
+  const T v_9_3c = cos_3ng * c93 + sin_3ng * c87;
+  const T v_9_3s = cos_3ng * c87 - sin_3ng * c93;
   const T c94 = c[94];
   const T c86 = c[86];
-  const T v_9_4c = cos_4g * c94 - sin_4g * c86;
-  const T v_9_4s = sin_4g * c94 + cos_4g * c86;
+  const T v_9_4c = cos_4ng * c94 + sin_4ng * c86;
+  const T v_9_4s = cos_4ng * c86 - sin_4ng * c94;
   const T c95 = c[95];
   const T c85 = c[85];
-  const T v_9_5c = cos_5g * c95 - sin_5g * c85;
-  const T v_9_5s = sin_5g * c95 + cos_5g * c85;
+  const T v_9_5c = cos_5ng * c95 + sin_5ng * c85;
+  const T v_9_5s = cos_5ng * c85 - sin_5ng * c95;
   const T c96 = c[96];
   const T c84 = c[84];
-  const T v_9_6c = cos_6g * c96 - sin_6g * c84;
-  const T v_9_6s = sin_6g * c96 + cos_6g * c84;
+  const T v_9_6c = cos_6ng * c96 + sin_6ng * c84;
+  const T v_9_6s = cos_6ng * c84 - sin_6ng * c96;
   const T c97 = c[97];
   const T c83 = c[83];
-  const T v_9_7c = cos_7g * c97 - sin_7g * c83;
-  const T v_9_7s = sin_7g * c97 + cos_7g * c83;
+  const T v_9_7c = cos_7ng * c97 + sin_7ng * c83;
+  const T v_9_7s = cos_7ng * c83 - sin_7ng * c97;
   const T c98 = c[98];
   const T c82 = c[82];
-  const T v_9_8c = cos_8g * c98 - sin_8g * c82;
-  const T v_9_8s = sin_8g * c98 + cos_8g * c82;
+  const T v_9_8c = cos_8ng * c98 + sin_8ng * c82;
+  const T v_9_8s = cos_8ng * c82 - sin_8ng * c98;
   const T c99 = c[99];
   const T c81 = c[81];
-  const T v_9_9c = cos_9g * c99 - sin_9g * c81;
-  const T v_9_9s = sin_9g * c99 + cos_9g * c81;
+  const T v_9_9c = cos_9ng * c99 + sin_9ng * c81;
+  const T v_9_9s = cos_9ng * c81 - sin_9ng * c99;
   const T t_214 = v_9_5c - k_188 * v_9_1c - k_189 * v_9_3c + k_15 * v_9_7c;
   const T t_215 = k_191 * v_9_3c - k_190 * v_9_1c + k_192 * v_9_7c + v_9_9c;
   const T t_216 = v_9_1c + k_193 * t_214 + k_194 * t_215;
@@ -970,16 +970,16 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   const T t_223 = k_212 * v_9_4c - k_210 * c90 - k_211 * v_9_2c + v_9_6c - k_213 * v_9_8c;
   const T t_224 = k_215 * v_9_2c - k_214 * c90 + v_9_4c - k_216 * v_9_6c + k_217 * v_9_8c;
   const T t_225 = v_9_2c - k_218 * c90 - k_219 * v_9_4c + k_220 * v_9_6c - k_221 * v_9_8c;
-  const T p_9_1 = r[8] * t_216 + t_199 * t_221;
-  const T q_9_1 = k_223 * r[8] * t_221 - t_199 * t_216;
-  const T p_9_3 = cos_3b * t_217 - t_201 * t_222;
-  const T q_9_3 = t_201 * t_217 + k_225 * cos_3b * t_222;
-  const T p_9_5 = cos_5b * t_218 - t_203 * t_223;
-  const T q_9_5 = t_203 * t_218 + k_185 * cos_5b * t_223;
-  const T p_9_7 = cos_7b * t_219 - t_134 * t_224;
-  const T q_9_7 = t_134 * t_219 + k_227 * cos_7b * t_224;
-  const T p_9_9 = cos_9b * t_220 - t_21 * t_225;
-  const T q_9_9 = t_21 * t_220 + k_229 * cos_9b * t_225;
+  const T p_9_1 = r[8] * t_216 - t_199 * t_221;
+  const T q_9_1 = t_199 * t_216 + k_223 * r[8] * t_221;
+  const T p_9_3 = cos_3b * t_217 + t_201 * t_222;
+  const T q_9_3 = k_225 * cos_3b * t_222 - t_201 * t_217;
+  const T p_9_5 = cos_5b * t_218 + t_203 * t_223;
+  const T q_9_5 = k_185 * cos_5b * t_223 - t_203 * t_218;
+  const T p_9_7 = cos_7b * t_219 + t_134 * t_224;
+  const T q_9_7 = k_227 * cos_7b * t_224 - t_134 * t_219;
+  const T p_9_9 = cos_9b * t_220 + t_22 * t_225;
+  const T q_9_9 = k_229 * cos_9b * t_225 - t_22 * t_220;
   const T t_226 = p_9_5 - k_188 * p_9_1 - k_189 * p_9_3 + k_15 * p_9_7;
   const T t_227 = k_191 * p_9_3 - k_190 * p_9_1 + k_192 * p_9_7 + p_9_9;
   const T t_228 = p_9_1 + k_193 * t_226 + k_194 * t_227;
@@ -999,17 +999,17 @@ constexpr void rotate_l9(const T* r, const T* c, T* out) noexcept {
   const T t_241 = v_9_6s - k_246 * v_9_2s;
   const T t_242 = k_248 * v_9_4s - k_247 * v_9_2s + v_9_8s;
   const T t_243 = v_9_2s + k_249 * t_241 + k_250 * t_242;
-  const T p_9_2 = k_256 * sin2_b * t_237 - t_173 * t_243;
-  const T q_9_2 = cos_2b * t_243 - t_173 * t_237;
+  const T p_9_2 = k_256 * sin2_b * t_237 + t_173 * t_243;
+  const T q_9_2 = t_173 * t_237 + cos_2b * t_243;
   const T t_244 = v_9_4s + k_251 * t_241 - k_252 * t_242;
-  const T p_9_4 = k_258 * t_8 * t_238 - t_175 * t_244;
-  const T q_9_4 = cos_4b * t_244 - t_175 * t_238;
+  const T p_9_4 = k_258 * t_9 * t_238 + t_175 * t_244;
+  const T q_9_4 = t_175 * t_238 + cos_4b * t_244;
   const T t_245 = v_9_6s - k_253 * t_241 + k_254 * t_242;
   const T t_246 = v_9_8s + k_254 * t_241 - k_255 * t_242;
-  const T p_9_6 = k_260 * t_13 * t_239 - t_177 * t_245;
-  const T q_9_6 = cos_6b * t_245 - t_177 * t_239;
-  const T p_9_8 = k_262 * t_18 * t_240 - t_179 * t_246;
-  const T q_9_8 = cos_8b * t_246 - t_179 * t_240;
+  const T p_9_6 = k_260 * t_14 * t_239 + t_177 * t_245;
+  const T q_9_6 = t_177 * t_239 + cos_6b * t_245;
+  const T p_9_8 = k_262 * t_19 * t_240 + t_179 * t_246;
+  const T q_9_8 = t_179 * t_240 + cos_8b * t_246;
   const T t_247 = v_9_1s + (k_230 * p_9_2 + k_234 * p_9_4 + k_238 * p_9_6 + k_242 * p_9_8);
   const T t_248 = v_9_3s - (k_239 * p_9_6 - k_231 * p_9_2 - k_235 * p_9_4 + p_9_8);
   const T t_249 = v_9_5s - (k_236 * p_9_4 - k_232 * p_9_2 + p_9_6 - k_243 * p_9_8);

@@ -10,7 +10,7 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         1438 multiplications, 997 additions, 1 divisions, 1 square roots, 6 selections; longest chain 39; at
+// Cost:         1437 multiplications, 998 additions, 1 divisions, 1 square roots, 6 selections; longest chain 40; at
 //               most 186 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 5.7e-06 (47.8 eps)
@@ -88,7 +88,6 @@ constexpr void rotate_quaternion_l10(const T* q, const T* c, T* out) noexcept {
   const T one   = detail::constant<T>(1.0f, 1.0);                               // 1
   const T zero  = detail::constant<T>(0.0f, 0.0);                               // 0
   const T two   = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T half  = detail::constant<T>(0.5f, 0.5);                               // 1/2
   const T k     = detail::constant<T>(8.0f, 8.0);                               // 8
   const T k_2   = detail::constant<T>(32.0f, 32.0);                             // 32
   const T k_3   = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
@@ -460,8 +459,8 @@ constexpr void rotate_quaternion_l10(const T* q, const T* c, T* out) noexcept {
   const T a_im = detail::choose(aa < tiny, zero, q[3]);
   const T b_re = detail::choose(bb < tiny, one, q[2]);
   const T b_im = detail::choose(bb < tiny, zero, q[1]);
-  const T inv2 = two / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
-  const T inv = detail::square_root<T>(half * inv2);
+  const T inv_sq = one / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
+  const T inv = detail::square_root<T>(inv_sq);
   const T t = a_re * b_re;
   const T t_2 = a_im * b_im;
   const T t_3 = a_im * b_re;
@@ -470,88 +469,89 @@ constexpr void rotate_quaternion_l10(const T* q, const T* c, T* out) noexcept {
   const T t_6 = t_3 - t_4;
   const T cos_a = t_5 * inv;
   const T sin_a = t_6 * inv;
-  const T t_7 = t_6 * inv2;
-  const T t_8 = t_7 * t_6;
-  const T sin_2a = t_7 * t_5;
-  const T cos_2a = one - t_8;
-  const T t_9 = cos_2a - t_8;
-  const T cos_3a = cos_a * t_9;
-  const T sin_3a = sin_a * (t_9 + two);
-  const T t_10 = cos_a + cos_a;
-  const T cos_4a = t_10 * cos_3a - cos_2a;
-  const T sin_4a = t_10 * sin_3a - sin_2a;
-  const T cos_5a = t_10 * cos_4a - cos_3a;
-  const T sin_5a = t_10 * sin_4a - sin_3a;
-  const T cos_6a = t_10 * cos_5a - cos_4a;
-  const T sin_6a = t_10 * sin_5a - sin_4a;
-  const T cos_7a = t_10 * cos_6a - cos_5a;
-  const T sin_7a = t_10 * sin_6a - sin_5a;
+  const T t_7 = inv_sq + inv_sq;
+  const T t_8 = t_6 * t_7;
+  const T t_9 = t_8 * t_6;
+  const T sin_2a = t_8 * t_5;
+  const T cos_2a = one - t_9;
+  const T t_10 = cos_2a - t_9;
+  const T cos_3a = cos_a * t_10;
+  const T sin_3a = sin_a * (t_10 + two);
+  const T t_11 = cos_a + cos_a;
+  const T cos_4a = t_11 * cos_3a - cos_2a;
+  const T sin_4a = t_11 * sin_3a - sin_2a;
+  const T cos_5a = t_11 * cos_4a - cos_3a;
+  const T sin_5a = t_11 * sin_4a - sin_3a;
+  const T cos_6a = t_11 * cos_5a - cos_4a;
+  const T sin_6a = t_11 * sin_5a - sin_4a;
+  const T cos_7a = t_11 * cos_6a - cos_5a;
+  const T sin_7a = t_11 * sin_6a - sin_5a;
   const T cos_8a = cos_4a * cos_4a - sin_4a * sin_4a;
   const T sin_8a = (sin_4a + sin_4a) * cos_4a;
-  const T cos_9a = t_10 * cos_8a - cos_7a;
-  const T sin_9a = t_10 * sin_8a - sin_7a;
-  const T cos_10a = t_10 * cos_9a - cos_8a;
-  const T sin_10a = t_10 * sin_9a - sin_8a;
-  const T t_11 = t - t_2;
-  const T t_12 = t_3 + t_4;
-  const T cos_g = t_11 * inv;
-  const T sin_g = t_12 * inv;
-  const T t_13 = t_12 * inv2;
-  const T t_14 = t_13 * t_12;
-  const T sin_2g = t_13 * t_11;
-  const T cos_2g = one - t_14;
-  const T t_15 = cos_2g - t_14;
-  const T cos_3g = cos_g * t_15;
-  const T sin_3g = sin_g * (t_15 + two);
-  const T t_16 = cos_g + cos_g;
-  const T cos_4g = t_16 * cos_3g - cos_2g;
-  const T sin_4g = t_16 * sin_3g - sin_2g;
-  const T cos_5g = t_16 * cos_4g - cos_3g;
-  const T sin_5g = t_16 * sin_4g - sin_3g;
-  const T cos_6g = t_16 * cos_5g - cos_4g;
-  const T sin_6g = t_16 * sin_5g - sin_4g;
-  const T cos_7g = t_16 * cos_6g - cos_5g;
-  const T sin_7g = t_16 * sin_6g - sin_5g;
+  const T cos_9a = t_11 * cos_8a - cos_7a;
+  const T sin_9a = t_11 * sin_8a - sin_7a;
+  const T cos_10a = t_11 * cos_9a - cos_8a;
+  const T sin_10a = t_11 * sin_9a - sin_8a;
+  const T t_12 = t - t_2;
+  const T t_13 = t_3 + t_4;
+  const T cos_g = t_12 * inv;
+  const T sin_g = t_13 * inv;
+  const T t_14 = t_13 * t_7;
+  const T t_15 = t_14 * t_13;
+  const T sin_2g = t_14 * t_12;
+  const T cos_2g = one - t_15;
+  const T t_16 = cos_2g - t_15;
+  const T cos_3g = cos_g * t_16;
+  const T sin_3g = sin_g * (t_16 + two);
+  const T t_17 = cos_g + cos_g;
+  const T cos_4g = t_17 * cos_3g - cos_2g;
+  const T sin_4g = t_17 * sin_3g - sin_2g;
+  const T cos_5g = t_17 * cos_4g - cos_3g;
+  const T sin_5g = t_17 * sin_4g - sin_3g;
+  const T cos_6g = t_17 * cos_5g - cos_4g;
+  const T sin_6g = t_17 * sin_5g - sin_4g;
+  const T cos_7g = t_17 * cos_6g - cos_5g;
+  const T sin_7g = t_17 * sin_6g - sin_5g;
   const T cos_8g = cos_4g * cos_4g - sin_4g * sin_4g;
   const T sin_8g = (sin_4g + sin_4g) * cos_4g;
-  const T cos_9g = t_16 * cos_8g - cos_7g;
-  const T sin_9g = t_16 * sin_8g - sin_7g;
-  const T cos_10g = t_16 * cos_9g - cos_8g;
-  const T sin_10g = t_16 * sin_9g - sin_8g;
-  const T t_17 = aa * bb;
-  const T t_18 = t_17 * inv;
-  const T sin_b = t_18 + t_18;
+  const T cos_9g = t_17 * cos_8g - cos_7g;
+  const T sin_9g = t_17 * sin_8g - sin_7g;
+  const T cos_10g = t_17 * cos_9g - cos_8g;
+  const T sin_10g = t_17 * sin_9g - sin_8g;
+  const T t_18 = aa * bb;
+  const T t_19 = t_18 * inv;
+  const T sin_b = t_19 + t_19;
   const T cos_b = aa - bb;
-  const T t_19 = sin_b * cos_b;
-  const T t_20 = k * t_17;
-  const T cos_2b = one - t_20;
-  const T t_21 = cos_2b - t_20;
-  const T t_22 = t_21 + two;
-  const T cos_3b = cos_b * t_21;
-  const T sin_3b = sin_b * t_22;
-  const T t_23 = t_19 * t_19;
-  const T t_24 = t_19 * cos_2b;
-  const T cos_4b = one - k * t_23;
-  const T t_25 = cos_4b + cos_4b;
-  const T t_26 = t_25 - t_21;
-  const T t_27 = t_25 + t_22;
-  const T cos_5b = cos_b * t_26;
-  const T sin_5b = sin_b * t_27;
-  const T t_28 = sin_3b * sin_3b;
-  const T t_29 = sin_3b * cos_3b;
-  const T cos_6b = one - two * t_28;
-  const T t_30 = cos_6b + cos_6b;
-  const T t_31 = t_30 - t_26;
-  const T t_32 = t_30 + t_27;
-  const T cos_7b = cos_b * t_31;
-  const T sin_7b = sin_b * t_32;
-  const T t_33 = t_24 * t_24;
-  const T t_34 = t_24 * cos_4b;
-  const T cos_8b = one - k_2 * t_33;
-  const T t_35 = cos_8b + cos_8b;
-  const T cos_9b = cos_b * (t_35 - t_31);
-  const T sin_9b = sin_b * (t_35 + t_32);
-  const T t_36 = sin_5b * sin_5b;
+  const T t_20 = sin_b * cos_b;
+  const T t_21 = k * t_18;
+  const T cos_2b = one - t_21;
+  const T t_22 = cos_2b - t_21;
+  const T t_23 = t_22 + two;
+  const T cos_3b = cos_b * t_22;
+  const T sin_3b = sin_b * t_23;
+  const T t_24 = t_20 * t_20;
+  const T t_25 = t_20 * cos_2b;
+  const T cos_4b = one - k * t_24;
+  const T t_26 = cos_4b + cos_4b;
+  const T t_27 = t_26 - t_22;
+  const T t_28 = t_26 + t_23;
+  const T cos_5b = cos_b * t_27;
+  const T sin_5b = sin_b * t_28;
+  const T t_29 = sin_3b * sin_3b;
+  const T t_30 = sin_3b * cos_3b;
+  const T cos_6b = one - two * t_29;
+  const T t_31 = cos_6b + cos_6b;
+  const T t_32 = t_31 - t_27;
+  const T t_33 = t_31 + t_28;
+  const T cos_7b = cos_b * t_32;
+  const T sin_7b = sin_b * t_33;
+  const T t_34 = t_25 * t_25;
+  const T t_35 = t_25 * cos_4b;
+  const T cos_8b = one - k_2 * t_34;
+  const T t_36 = cos_8b + cos_8b;
+  const T cos_9b = cos_b * (t_36 - t_32);
+  const T sin_9b = sin_b * (t_36 + t_33);
+  const T t_37 = sin_5b * sin_5b;
   const T c3 = c[3];
   const T c1 = c[1];
   const T v_1_1c = cos_g * c3 - sin_g * c1;
@@ -570,18 +570,18 @@ constexpr void rotate_quaternion_l10(const T* q, const T* c, T* out) noexcept {
   const T v_2_2c = cos_2g * c8 - sin_2g * c4;
   const T v_2_2s = sin_2g * c8 + cos_2g * c4;
   const T c6 = c[6];
-  const T t_37 = c6 - k_3 * v_2_2c;
-  const T t_38 = k_5 * t_19;
-  const T p_2_2 = k_4 * t_17 * t_37 + t_38 * v_2_1c;
-  const T q_2_2 = t_38 * t_37 + cos_2b * v_2_1c;
+  const T t_38 = c6 - k_3 * v_2_2c;
+  const T t_39 = k_5 * t_20;
+  const T p_2_2 = k_4 * t_18 * t_38 + t_39 * v_2_1c;
+  const T q_2_2 = t_39 * t_38 + cos_2b * v_2_1c;
   out[6] = c6 - p_2_2;                                                                                     // l=2 m=0
-  const T t_39 = v_2_2c + k_3 * p_2_2;
+  const T t_40 = v_2_2c + k_3 * p_2_2;
   const T p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
   const T q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
   out[7] = cos_a * q_2_2 - sin_a * q_2_1;                                                                  // l=2 m=1
   out[5] = sin_a * q_2_2 + cos_a * q_2_1;                                                                  // l=2 m=-1
-  out[8] = cos_2a * t_39 - sin_2a * p_2_1;                                                                 // l=2 m=2
-  out[4] = sin_2a * t_39 + cos_2a * p_2_1;                                                                 // l=2 m=-2
+  out[8] = cos_2a * t_40 - sin_2a * p_2_1;                                                                 // l=2 m=2
+  out[4] = sin_2a * t_40 + cos_2a * p_2_1;                                                                 // l=2 m=-2
   const T c13 = c[13];
   const T c11 = c[11];
   const T v_3_1c = cos_g * c13 - sin_g * c11;
@@ -594,33 +594,33 @@ constexpr void rotate_quaternion_l10(const T* q, const T* c, T* out) noexcept {
   const T c9 = c[9];
   const T v_3_3c = cos_3g * c15 - sin_3g * c9;
   const T v_3_3s = sin_3g * c15 + cos_3g * c9;
-  const T t_40 = k_6 * v_3_1c + v_3_3c;
-  const T t_41 = v_3_1c - k_6 * v_3_3c;
+  const T t_41 = k_6 * v_3_1c + v_3_3c;
+  const T t_42 = v_3_1c - k_6 * v_3_3c;
   const T c12 = c[12];
-  const T t_42 = k_7 * c12 + v_3_2c;
-  const T t_43 = c12 - k_7 * v_3_2c;
-  const T t_44 = k_9 * sin_b;
-  const T p_3_1 = k_8 * cos_b * t_40 + t_44 * t_42;
-  const T q_3_1 = k_10 * cos_b * t_42 - t_44 * t_40;
-  const T t_45 = k_9 * sin_3b;
-  const T p_3_3 = k_8 * cos_3b * t_41 + t_45 * t_43;
-  const T q_3_3 = k_10 * cos_3b * t_43 - t_45 * t_41;
-  const T t_46 = k_6 * p_3_1 + p_3_3;
-  const T t_47 = p_3_1 - k_6 * p_3_3;
+  const T t_43 = k_7 * c12 + v_3_2c;
+  const T t_44 = c12 - k_7 * v_3_2c;
+  const T t_45 = k_9 * sin_b;
+  const T p_3_1 = k_8 * cos_b * t_41 + t_45 * t_43;
+  const T q_3_1 = k_10 * cos_b * t_43 - t_45 * t_41;
+  const T t_46 = k_9 * sin_3b;
+  const T p_3_3 = k_8 * cos_3b * t_42 + t_46 * t_44;
+  const T q_3_3 = k_10 * cos_3b * t_44 - t_46 * t_42;
+  const T t_47 = k_6 * p_3_1 + p_3_3;
+  const T t_48 = p_3_1 - k_6 * p_3_3;
   out[12] = k_7 * q_3_1 + q_3_3;                                                                           // l=3 m=0
-  const T t_48 = q_3_1 - k_7 * q_3_3;
-  const T t_49 = v_3_1s - k_7 * v_3_3s;
-  const T t_50 = k_12 * t_19;
-  const T p_3_2 = k_11 * t_17 * t_49 + t_50 * v_3_2s;
-  const T q_3_2 = t_50 * t_49 + cos_2b * v_3_2s;
-  const T t_51 = v_3_1s - p_3_2;
-  const T t_52 = v_3_3s + k_7 * p_3_2;
-  out[13] = cos_a * t_46 - sin_a * t_51;                                                                   // l=3 m=1
-  out[11] = sin_a * t_46 + cos_a * t_51;                                                                   // l=3 m=-1
-  out[14] = cos_2a * t_48 - sin_2a * q_3_2;                                                                // l=3 m=2
-  out[10] = sin_2a * t_48 + cos_2a * q_3_2;                                                                // l=3 m=-2
-  out[15] = cos_3a * t_47 - sin_3a * t_52;                                                                 // l=3 m=3
-  out[9] = sin_3a * t_47 + cos_3a * t_52;                                                                  // l=3 m=-3
+  const T t_49 = q_3_1 - k_7 * q_3_3;
+  const T t_50 = v_3_1s - k_7 * v_3_3s;
+  const T t_51 = k_12 * t_20;
+  const T p_3_2 = k_11 * t_18 * t_50 + t_51 * v_3_2s;
+  const T q_3_2 = t_51 * t_50 + cos_2b * v_3_2s;
+  const T t_52 = v_3_1s - p_3_2;
+  const T t_53 = v_3_3s + k_7 * p_3_2;
+  out[13] = cos_a * t_47 - sin_a * t_52;                                                                   // l=3 m=1
+  out[11] = sin_a * t_47 + cos_a * t_52;                                                                   // l=3 m=-1
+  out[14] = cos_2a * t_49 - sin_2a * q_3_2;                                                                // l=3 m=2
+  out[10] = sin_2a * t_49 + cos_2a * q_3_2;                                                                // l=3 m=-2
+  out[15] = cos_3a * t_48 - sin_3a * t_53;                                                                 // l=3 m=3
+  out[9] = sin_3a * t_48 + cos_3a * t_53;                                                                  // l=3 m=-3
   const T c21 = c[21];
   const T c19 = c[19];
   const T v_4_1c = cos_g * c21 - sin_g * c19;
@@ -638,45 +638,45 @@ constexpr void rotate_quaternion_l10(const T* q, const T* c, T* out) noexcept {
   const T v_4_4c = cos_4g * c24 - sin_4g * c16;
   const T v_4_4s = sin_4g * c24 + cos_4g * c16;
   const T c20 = c[20];
-  const T t_53 = v_4_4c - k_13 * c20 - k_14 * v_4_2c;
-  const T t_54 = c20 - k_15 * v_4_2c + k_16 * v_4_4c;
-  const T t_55 = k_17 * v_4_1c + v_4_3c;
-  const T t_56 = v_4_1c - k_17 * v_4_3c;
-  const T t_57 = k_18 * t_17;
-  const T t_58 = k_19 * t_19;
-  const T p_4_2 = t_57 * t_53 - t_58 * t_55;
-  const T q_4_2 = k_20 * cos_2b * t_55 - t_58 * t_53;
-  const T t_59 = k_22 * t_24;
-  const T p_4_4 = k_21 * t_23 * t_54 + t_59 * t_56;
-  const T q_4_4 = t_59 * t_54 + k_20 * cos_4b * t_56;
+  const T t_54 = v_4_4c - k_13 * c20 - k_14 * v_4_2c;
+  const T t_55 = c20 - k_15 * v_4_2c + k_16 * v_4_4c;
+  const T t_56 = k_17 * v_4_1c + v_4_3c;
+  const T t_57 = v_4_1c - k_17 * v_4_3c;
+  const T t_58 = k_18 * t_18;
+  const T t_59 = k_19 * t_20;
+  const T p_4_2 = t_58 * t_54 - t_59 * t_56;
+  const T q_4_2 = k_20 * cos_2b * t_56 - t_59 * t_54;
+  const T t_60 = k_22 * t_25;
+  const T p_4_4 = k_21 * t_24 * t_55 + t_60 * t_57;
+  const T q_4_4 = t_60 * t_55 + k_20 * cos_4b * t_57;
   out[20] = c20 - (p_4_4 - k_13 * p_4_2);                                                                  // l=4 m=0
-  const T t_60 = v_4_2c + (k_14 * p_4_2 + k_15 * p_4_4);
-  const T t_61 = v_4_4c - (p_4_2 + k_16 * p_4_4);
-  const T t_62 = k_17 * q_4_2 + q_4_4;
-  const T t_63 = q_4_2 - k_17 * q_4_4;
-  const T t_64 = k_17 * v_4_2s + v_4_4s;
-  const T t_65 = v_4_2s - k_17 * v_4_4s;
-  const T t_66 = k_23 * v_4_1s + v_4_3s;
-  const T t_67 = v_4_3s - k_24 * v_4_1s;
-  const T t_68 = k_25 * sin_b;
-  const T t_69 = k_26 * cos_b;
-  const T p_4_1 = k_20 * cos_b * t_64 + t_68 * t_66;
-  const T q_4_1 = t_69 * t_66 - t_68 * t_64;
-  const T t_70 = k_27 * sin_3b;
-  const T p_4_3 = k_20 * cos_3b * t_65 - t_70 * t_67;
-  const T q_4_3 = t_70 * t_65 + k_28 * cos_3b * t_67;
-  const T t_71 = k_17 * p_4_1 + p_4_3;
-  const T t_72 = p_4_1 - k_17 * p_4_3;
-  const T t_73 = k_23 * q_4_1 - k_24 * q_4_3;
-  const T t_74 = q_4_1 + q_4_3;
-  out[21] = cos_a * t_62 - sin_a * t_73;                                                                   // l=4 m=1
-  out[19] = sin_a * t_62 + cos_a * t_73;                                                                   // l=4 m=-1
-  out[22] = cos_2a * t_60 - sin_2a * t_71;                                                                 // l=4 m=2
-  out[18] = sin_2a * t_60 + cos_2a * t_71;                                                                 // l=4 m=-2
-  out[23] = cos_3a * t_63 - sin_3a * t_74;                                                                 // l=4 m=3
-  out[17] = sin_3a * t_63 + cos_3a * t_74;                                                                 // l=4 m=-3
-  out[24] = cos_4a * t_61 - sin_4a * t_72;                                                                 // l=4 m=4
-  out[16] = sin_4a * t_61 + cos_4a * t_72;                                                                 // l=4 m=-4
+  const T t_61 = v_4_2c + (k_14 * p_4_2 + k_15 * p_4_4);
+  const T t_62 = v_4_4c - (p_4_2 + k_16 * p_4_4);
+  const T t_63 = k_17 * q_4_2 + q_4_4;
+  const T t_64 = q_4_2 - k_17 * q_4_4;
+  const T t_65 = k_17 * v_4_2s + v_4_4s;
+  const T t_66 = v_4_2s - k_17 * v_4_4s;
+  const T t_67 = k_23 * v_4_1s + v_4_3s;
+  const T t_68 = v_4_3s - k_24 * v_4_1s;
+  const T t_69 = k_25 * sin_b;
+  const T t_70 = k_26 * cos_b;
+  const T p_4_1 = k_20 * cos_b * t_65 + t_69 * t_67;
+  const T q_4_1 = t_70 * t_67 - t_69 * t_65;
+  const T t_71 = k_27 * sin_3b;
+  const T p_4_3 = k_20 * cos_3b * t_66 - t_71 * t_68;
+  const T q_4_3 = t_71 * t_66 + k_28 * cos_3b * t_68;
+  const T t_72 = k_17 * p_4_1 + p_4_3;
+  const T t_73 = p_4_1 - k_17 * p_4_3;
+  const T t_74 = k_23 * q_4_1 - k_24 * q_4_3;
+  const T t_75 = q_4_1 + q_4_3;
+  out[21] = cos_a * t_63 - sin_a * t_74;                                                                   // l=4 m=1
+  out[19] = sin_a * t_63 + cos_a * t_74;                                                                   // l=4 m=-1
+  out[22] = cos_2a * t_61 - sin_2a * t_72;                                                                 // l=4 m=2
+  out[18] = sin_2a * t_61 + cos_2a * t_72;                                                                 // l=4 m=-2
+  out[23] = cos_3a * t_64 - sin_3a * t_75;                                                                 // l=4 m=3
+  out[17] = sin_3a * t_64 + cos_3a * t_75;                                                                 // l=4 m=-3
+  out[24] = cos_4a * t_62 - sin_4a * t_73;                                                                 // l=4 m=4
+  out[16] = sin_4a * t_62 + cos_4a * t_73;                                                                 // l=4 m=-4
   const T c31 = c[31];
   const T c29 = c[29];
   const T v_5_1c = cos_g * c31 - sin_g * c29;
@@ -697,55 +697,55 @@ constexpr void rotate_quaternion_l10(const T* q, const T* c, T* out) noexcept {
   const T c25 = c[25];
   const T v_5_5c = cos_5g * c35 - sin_5g * c25;
   const T v_5_5s = sin_5g * c35 + cos_5g * c25;
-  const T t_75 = k_30 * v_5_3c - k_29 * v_5_1c + v_5_5c;
-  const T t_76 = v_5_1c + k_31 * t_75;
-  const T t_77 = v_5_3c - k_32 * t_75;
-  const T t_78 = v_5_5c - k_8 * t_75;
+  const T t_76 = k_30 * v_5_3c - k_29 * v_5_1c + v_5_5c;
+  const T t_77 = v_5_1c + k_31 * t_76;
+  const T t_78 = v_5_3c - k_32 * t_76;
+  const T t_79 = v_5_5c - k_8 * t_76;
   const T c30 = c[30];
-  const T t_79 = k_33 * c30 + v_5_2c + k_34 * v_5_4c;
-  const T t_80 = v_5_4c - k_35 * c30 - k_36 * v_5_2c;
-  const T t_81 = c30 - k_37 * v_5_2c + k_38 * v_5_4c;
-  const T t_82 = k_39 * sin_b;
-  const T p_5_1 = cos_b * t_76 + t_82 * t_79;
-  const T q_5_1 = t_69 * t_79 - t_82 * t_76;
-  const T t_83 = k_40 * sin_3b;
-  const T p_5_3 = cos_3b * t_77 - t_83 * t_80;
-  const T q_5_3 = t_83 * t_77 + k_41 * cos_3b * t_80;
-  const T t_84 = k_27 * sin_5b;
-  const T p_5_5 = cos_5b * t_78 + t_84 * t_81;
-  const T q_5_5 = k_42 * cos_5b * t_81 - t_84 * t_78;
-  const T t_85 = k_30 * p_5_3 - k_29 * p_5_1 + p_5_5;
-  const T t_86 = p_5_1 + k_31 * t_85;
-  const T t_87 = p_5_3 - k_32 * t_85;
-  const T t_88 = p_5_5 - k_8 * t_85;
+  const T t_80 = k_33 * c30 + v_5_2c + k_34 * v_5_4c;
+  const T t_81 = v_5_4c - k_35 * c30 - k_36 * v_5_2c;
+  const T t_82 = c30 - k_37 * v_5_2c + k_38 * v_5_4c;
+  const T t_83 = k_39 * sin_b;
+  const T p_5_1 = cos_b * t_77 + t_83 * t_80;
+  const T q_5_1 = t_70 * t_80 - t_83 * t_77;
+  const T t_84 = k_40 * sin_3b;
+  const T p_5_3 = cos_3b * t_78 - t_84 * t_81;
+  const T q_5_3 = t_84 * t_78 + k_41 * cos_3b * t_81;
+  const T t_85 = k_27 * sin_5b;
+  const T p_5_5 = cos_5b * t_79 + t_85 * t_82;
+  const T q_5_5 = k_42 * cos_5b * t_82 - t_85 * t_79;
+  const T t_86 = k_30 * p_5_3 - k_29 * p_5_1 + p_5_5;
+  const T t_87 = p_5_1 + k_31 * t_86;
+  const T t_88 = p_5_3 - k_32 * t_86;
+  const T t_89 = p_5_5 - k_8 * t_86;
   out[30] = k_33 * q_5_1 - k_35 * q_5_3 + q_5_5;                                                           // l=5 m=0
-  const T t_89 = q_5_1 - k_36 * q_5_3 - k_37 * q_5_5;
-  const T t_90 = k_34 * q_5_1 + q_5_3 + k_38 * q_5_5;
-  const T t_91 = v_5_1s + k_43 * v_5_3s - k_44 * v_5_5s;
-  const T t_92 = v_5_3s - k_45 * v_5_1s - k_46 * v_5_5s;
-  const T t_93 = k_3 * v_5_2s + v_5_4s;
-  const T t_94 = v_5_2s - k_3 * v_5_4s;
-  const T t_95 = k_47 * t_19;
-  const T p_5_2 = t_57 * t_91 + t_95 * t_93;
-  const T q_5_2 = t_95 * t_91 + k_48 * cos_2b * t_93;
-  const T t_96 = k_50 * t_24;
-  const T p_5_4 = k_49 * t_23 * t_92 - t_96 * t_94;
-  const T q_5_4 = k_48 * cos_4b * t_94 - t_96 * t_92;
-  const T t_97 = v_5_1s - (p_5_2 - k_45 * p_5_4);
-  const T t_98 = v_5_3s - (k_43 * p_5_2 + p_5_4);
-  const T t_99 = v_5_5s + (k_44 * p_5_2 + k_46 * p_5_4);
-  const T t_100 = k_3 * q_5_2 + q_5_4;
-  const T t_101 = q_5_2 - k_3 * q_5_4;
-  out[31] = cos_a * t_86 - sin_a * t_97;                                                                   // l=5 m=1
-  out[29] = sin_a * t_86 + cos_a * t_97;                                                                   // l=5 m=-1
-  out[32] = cos_2a * t_89 - sin_2a * t_100;                                                                // l=5 m=2
-  out[28] = sin_2a * t_89 + cos_2a * t_100;                                                                // l=5 m=-2
-  out[33] = cos_3a * t_87 - sin_3a * t_98;                                                                 // l=5 m=3
-  out[27] = sin_3a * t_87 + cos_3a * t_98;                                                                 // l=5 m=-3
-  out[34] = cos_4a * t_90 - sin_4a * t_101;                                                                // l=5 m=4
-  out[26] = sin_4a * t_90 + cos_4a * t_101;                                                                // l=5 m=-4
-  out[35] = cos_5a * t_88 - sin_5a * t_99;                                                                 // l=5 m=5
-  out[25] = sin_5a * t_88 + cos_5a * t_99;                                                                 // l=5 m=-5
+  const T t_90 = q_5_1 - k_36 * q_5_3 - k_37 * q_5_5;
+  const T t_91 = k_34 * q_5_1 + q_5_3 + k_38 * q_5_5;
+  const T t_92 = v_5_1s + k_43 * v_5_3s - k_44 * v_5_5s;
+  const T t_93 = v_5_3s - k_45 * v_5_1s - k_46 * v_5_5s;
+  const T t_94 = k_3 * v_5_2s + v_5_4s;
+  const T t_95 = v_5_2s - k_3 * v_5_4s;
+  const T t_96 = k_47 * t_20;
+  const T p_5_2 = t_58 * t_92 + t_96 * t_94;
+  const T q_5_2 = t_96 * t_92 + k_48 * cos_2b * t_94;
+  const T t_97 = k_50 * t_25;
+  const T p_5_4 = k_49 * t_24 * t_93 - t_97 * t_95;
+  const T q_5_4 = k_48 * cos_4b * t_95 - t_97 * t_93;
+  const T t_98 = v_5_1s - (p_5_2 - k_45 * p_5_4);
+  const T t_99 = v_5_3s - (k_43 * p_5_2 + p_5_4);
+  const T t_100 = v_5_5s + (k_44 * p_5_2 + k_46 * p_5_4);
+  const T t_101 = k_3 * q_5_2 + q_5_4;
+  const T t_102 = q_5_2 - k_3 * q_5_4;
+  out[31] = cos_a * t_87 - sin_a * t_98;                                                                   // l=5 m=1
+  out[29] = sin_a * t_87 + cos_a * t_98;                                                                   // l=5 m=-1
+  out[32] = cos_2a * t_90 - sin_2a * t_101;                                                                // l=5 m=2
+  out[28] = sin_2a * t_90 + cos_2a * t_101;                                                                // l=5 m=-2
+  out[33] = cos_3a * t_88 - sin_3a * t_99;                                                                 // l=5 m=3
+  out[27] = sin_3a * t_88 + cos_3a * t_99;                                                                 // l=5 m=-3
+  out[34] = cos_4a * t_91 - sin_4a * t_102;                                                                // l=5 m=4
+  out[26] = sin_4a * t_91 + cos_4a * t_102;                                                                // l=5 m=-4
+  out[35] = cos_5a * t_89 - sin_5a * t_100;                                                                // l=5 m=5
+  out[25] = sin_5a * t_89 + cos_5a * t_100;                                                                // l=5 m=-5
   const T c43 = c[43];
   const T c41 = c[41];
   const T v_6_1c = cos_g * c43 - sin_g * c41;
@@ -771,63 +771,63 @@ constexpr void rotate_quaternion_l10(const T* q, const T* c, T* out) noexcept {
   const T v_6_6c = cos_6g * c48 - sin_6g * c36;
   const T v_6_6s = sin_6g * c48 + cos_6g * c36;
   const T c42 = c[42];
-  const T t_102 = v_6_6c - k_51 * c42 - k_52 * v_6_2c - k_53 * v_6_4c;
-  const T t_103 = v_6_4c - k_54 * c42 - k_55 * v_6_2c - k_56 * v_6_6c;
-  const T t_104 = v_6_2c - k_29 * c42 - k_57 * v_6_4c + k_58 * v_6_6c;
-  const T t_105 = k_53 * v_6_1c + k_59 * v_6_3c + v_6_5c;
-  const T t_106 = k_60 * v_6_1c + v_6_3c - k_61 * v_6_5c;
-  const T t_107 = v_6_1c - k_62 * v_6_3c + k_63 * v_6_5c;
-  const T t_108 = k_65 * t_19;
-  const T p_6_2 = k_64 * t_17 * t_102 - t_108 * t_105;
-  const T q_6_2 = k_66 * cos_2b * t_105 - t_108 * t_102;
-  const T t_109 = k_68 * t_24;
-  const T p_6_4 = k_67 * t_23 * t_103 - t_109 * t_106;
-  const T q_6_4 = k_69 * cos_4b * t_106 - t_109 * t_103;
-  const T t_110 = k_71 * t_29;
-  const T p_6_6 = k_70 * t_28 * t_104 - t_110 * t_107;
-  const T q_6_6 = k_72 * cos_6b * t_107 - t_110 * t_104;
+  const T t_103 = v_6_6c - k_51 * c42 - k_52 * v_6_2c - k_53 * v_6_4c;
+  const T t_104 = v_6_4c - k_54 * c42 - k_55 * v_6_2c - k_56 * v_6_6c;
+  const T t_105 = v_6_2c - k_29 * c42 - k_57 * v_6_4c + k_58 * v_6_6c;
+  const T t_106 = k_53 * v_6_1c + k_59 * v_6_3c + v_6_5c;
+  const T t_107 = k_60 * v_6_1c + v_6_3c - k_61 * v_6_5c;
+  const T t_108 = v_6_1c - k_62 * v_6_3c + k_63 * v_6_5c;
+  const T t_109 = k_65 * t_20;
+  const T p_6_2 = k_64 * t_18 * t_103 - t_109 * t_106;
+  const T q_6_2 = k_66 * cos_2b * t_106 - t_109 * t_103;
+  const T t_110 = k_68 * t_25;
+  const T p_6_4 = k_67 * t_24 * t_104 - t_110 * t_107;
+  const T q_6_4 = k_69 * cos_4b * t_107 - t_110 * t_104;
+  const T t_111 = k_71 * t_30;
+  const T p_6_6 = k_70 * t_29 * t_105 - t_111 * t_108;
+  const T q_6_6 = k_72 * cos_6b * t_108 - t_111 * t_105;
   out[42] = c42 + (k_51 * p_6_2 + k_54 * p_6_4 + k_29 * p_6_6);                                            // l=6 m=0
-  const T t_111 = v_6_2c - (p_6_6 - k_52 * p_6_2 - k_55 * p_6_4);
-  const T t_112 = v_6_4c - (p_6_4 - k_53 * p_6_2 - k_57 * p_6_6);
-  const T t_113 = v_6_6c - (p_6_2 - k_56 * p_6_4 + k_58 * p_6_6);
-  const T t_114 = k_53 * q_6_2 + k_60 * q_6_4 + q_6_6;
-  const T t_115 = k_59 * q_6_2 + q_6_4 - k_62 * q_6_6;
-  const T t_116 = q_6_2 - k_61 * q_6_4 + k_63 * q_6_6;
-  const T t_117 = k_73 * v_6_2s + k_74 * v_6_4s + v_6_6s;
-  const T t_118 = k_75 * v_6_2s + v_6_4s - k_76 * v_6_6s;
-  const T t_119 = v_6_2s - k_77 * v_6_4s + k_78 * v_6_6s;
-  const T t_120 = v_6_3s - k_60 * v_6_1s + k_61 * v_6_5s;
-  const T t_121 = v_6_1s + k_79 * t_120;
-  const T t_122 = v_6_3s - k_8 * t_120;
-  const T t_123 = v_6_5s - k_80 * t_120;
-  const T t_124 = k_81 * sin_b;
-  const T p_6_1 = k_72 * cos_b * t_117 + t_124 * t_121;
-  const T q_6_1 = t_124 * t_117 - cos_b * t_121;
-  const T t_125 = k_82 * sin_3b;
-  const T p_6_3 = k_69 * cos_3b * t_118 + t_125 * t_122;
-  const T q_6_3 = t_125 * t_118 - cos_3b * t_122;
-  const T t_126 = k_80 * sin_5b;
-  const T p_6_5 = k_66 * cos_5b * t_119 + t_126 * t_123;
-  const T q_6_5 = t_126 * t_119 - cos_5b * t_123;
-  const T t_127 = k_73 * p_6_1 + k_75 * p_6_3 + p_6_5;
-  const T t_128 = k_74 * p_6_1 + p_6_3 - k_77 * p_6_5;
-  const T t_129 = p_6_1 - k_76 * p_6_3 + k_78 * p_6_5;
-  const T t_130 = q_6_3 - k_60 * q_6_1 + k_61 * q_6_5;
-  const T t_131 = q_6_1 + k_79 * t_130;
-  const T t_132 = q_6_3 - k_8 * t_130;
-  const T t_133 = q_6_5 - k_80 * t_130;
-  out[43] = cos_a * t_114 + sin_a * t_131;                                                                 // l=6 m=1
-  out[41] = sin_a * t_114 - cos_a * t_131;                                                                 // l=6 m=-1
-  out[44] = cos_2a * t_111 - sin_2a * t_127;                                                               // l=6 m=2
-  out[40] = sin_2a * t_111 + cos_2a * t_127;                                                               // l=6 m=-2
-  out[45] = cos_3a * t_115 + sin_3a * t_132;                                                               // l=6 m=3
-  out[39] = sin_3a * t_115 - cos_3a * t_132;                                                               // l=6 m=-3
-  out[46] = cos_4a * t_112 - sin_4a * t_128;                                                               // l=6 m=4
-  out[38] = sin_4a * t_112 + cos_4a * t_128;                                                               // l=6 m=-4
-  out[47] = cos_5a * t_116 + sin_5a * t_133;                                                               // l=6 m=5
-  out[37] = sin_5a * t_116 - cos_5a * t_133;                                                               // l=6 m=-5
-  out[48] = cos_6a * t_113 - sin_6a * t_129;                                                               // l=6 m=6
-  out[36] = sin_6a * t_113 + cos_6a * t_129;                                                               // l=6 m=-6
+  const T t_112 = v_6_2c - (p_6_6 - k_52 * p_6_2 - k_55 * p_6_4);
+  const T t_113 = v_6_4c - (p_6_4 - k_53 * p_6_2 - k_57 * p_6_6);
+  const T t_114 = v_6_6c - (p_6_2 - k_56 * p_6_4 + k_58 * p_6_6);
+  const T t_115 = k_53 * q_6_2 + k_60 * q_6_4 + q_6_6;
+  const T t_116 = k_59 * q_6_2 + q_6_4 - k_62 * q_6_6;
+  const T t_117 = q_6_2 - k_61 * q_6_4 + k_63 * q_6_6;
+  const T t_118 = k_73 * v_6_2s + k_74 * v_6_4s + v_6_6s;
+  const T t_119 = k_75 * v_6_2s + v_6_4s - k_76 * v_6_6s;
+  const T t_120 = v_6_2s - k_77 * v_6_4s + k_78 * v_6_6s;
+  const T t_121 = v_6_3s - k_60 * v_6_1s + k_61 * v_6_5s;
+  const T t_122 = v_6_1s + k_79 * t_121;
+  const T t_123 = v_6_3s - k_8 * t_121;
+  const T t_124 = v_6_5s - k_80 * t_121;
+  const T t_125 = k_81 * sin_b;
+  const T p_6_1 = k_72 * cos_b * t_118 + t_125 * t_122;
+  const T q_6_1 = t_125 * t_118 - cos_b * t_122;
+  const T t_126 = k_82 * sin_3b;
+  const T p_6_3 = k_69 * cos_3b * t_119 + t_126 * t_123;
+  const T q_6_3 = t_126 * t_119 - cos_3b * t_123;
+  const T t_127 = k_80 * sin_5b;
+  const T p_6_5 = k_66 * cos_5b * t_120 + t_127 * t_124;
+  const T q_6_5 = t_127 * t_120 - cos_5b * t_124;
+  const T t_128 = k_73 * p_6_1 + k_75 * p_6_3 + p_6_5;
+  const T t_129 = k_74 * p_6_1 + p_6_3 - k_77 * p_6_5;
+  const T t_130 = p_6_1 - k_76 * p_6_3 + k_78 * p_6_5;
+  const T t_131 = q_6_3 - k_60 * q_6_1 + k_61 * q_6_5;
+  const T t_132 = q_6_1 + k_79 * t_131;
+  const T t_133 = q_6_3 - k_8 * t_131;
+  const T t_134 = q_6_5 - k_80 * t_131;
+  out[43] = cos_a * t_115 + sin_a * t_132;                                                                 // l=6 m=1
+  out[41] = sin_a * t_115 - cos_a * t_132;                                                                 // l=6 m=-1
+  out[44] = cos_2a * t_112 - sin_2a * t_128;                                                               // l=6 m=2
+  out[40] = sin_2a * t_112 + cos_2a * t_128;                                                               // l=6 m=-2
+  out[45] = cos_3a * t_116 + sin_3a * t_133;                                                               // l=6 m=3
+  out[39] = sin_3a * t_116 - cos_3a * t_133;                                                               // l=6 m=-3
+  out[46] = cos_4a * t_113 - sin_4a * t_129;                                                               // l=6 m=4
+  out[38] = sin_4a * t_113 + cos_4a * t_129;                                                               // l=6 m=-4
+  out[47] = cos_5a * t_117 + sin_5a * t_134;                                                               // l=6 m=5
+  out[37] = sin_5a * t_117 - cos_5a * t_134;                                                               // l=6 m=-5
+  out[48] = cos_6a * t_114 - sin_6a * t_130;                                                               // l=6 m=6
+  out[36] = sin_6a * t_114 + cos_6a * t_130;                                                               // l=6 m=-6
   const T c57 = c[57];
   const T c55 = c[55];
   const T v_7_1c = cos_g * c57 - sin_g * c55;
@@ -856,79 +856,79 @@ constexpr void rotate_quaternion_l10(const T* q, const T* c, T* out) noexcept {
   const T c49 = c[49];
   const T v_7_7c = cos_7g * c63 - sin_7g * c49;
   const T v_7_7s = sin_7g * c63 + cos_7g * c49;
-  const T t_134 = v_7_1c + k_83 * v_7_5c + k_84 * v_7_7c;
-  const T t_135 = v_7_3c + k_85 * v_7_5c - k_86 * v_7_7c;
-  const T t_136 = v_7_1c - k_87 * t_134 - k_88 * t_135;
-  const T t_137 = v_7_3c - k_88 * t_134 - k_89 * t_135;
-  const T t_138 = v_7_5c - k_90 * t_134 - k_91 * t_135;
-  const T t_139 = v_7_7c - k_92 * t_134 + k_93 * t_135;
+  const T t_135 = v_7_1c + k_83 * v_7_5c + k_84 * v_7_7c;
+  const T t_136 = v_7_3c + k_85 * v_7_5c - k_86 * v_7_7c;
+  const T t_137 = v_7_1c - k_87 * t_135 - k_88 * t_136;
+  const T t_138 = v_7_3c - k_88 * t_135 - k_89 * t_136;
+  const T t_139 = v_7_5c - k_90 * t_135 - k_91 * t_136;
+  const T t_140 = v_7_7c - k_92 * t_135 + k_93 * t_136;
   const T c56 = c[56];
-  const T t_140 = k_45 * c56 + v_7_2c + k_94 * v_7_4c + k_95 * v_7_6c;
-  const T t_141 = k_98 * v_7_4c - k_96 * c56 - k_97 * v_7_2c + v_7_6c;
-  const T t_142 = v_7_4c - k_99 * c56 - k_100 * v_7_2c - k_101 * v_7_6c;
-  const T t_143 = v_7_2c - k_102 * c56 - k_103 * v_7_4c + k_104 * v_7_6c;
-  const T t_144 = k_105 * sin_b;
-  const T p_7_1 = cos_b * t_136 - t_144 * t_140;
-  const T q_7_1 = t_144 * t_136 + k_106 * cos_b * t_140;
-  const T t_145 = k_107 * sin_3b;
-  const T p_7_3 = cos_3b * t_137 + t_145 * t_141;
-  const T q_7_3 = k_108 * cos_3b * t_141 - t_145 * t_137;
-  const T t_146 = k_109 * sin_5b;
-  const T p_7_5 = cos_5b * t_138 + t_146 * t_142;
-  const T q_7_5 = k_110 * cos_5b * t_142 - t_146 * t_138;
-  const T t_147 = k_111 * sin_7b;
-  const T t_148 = k_112 * cos_7b;
-  const T p_7_7 = cos_7b * t_139 + t_147 * t_143;
-  const T q_7_7 = t_148 * t_143 - t_147 * t_139;
-  const T t_149 = p_7_1 + k_83 * p_7_5 + k_84 * p_7_7;
-  const T t_150 = p_7_3 + k_85 * p_7_5 - k_86 * p_7_7;
-  const T t_151 = p_7_1 - k_87 * t_149 - k_88 * t_150;
-  const T t_152 = p_7_3 - k_88 * t_149 - k_89 * t_150;
-  const T t_153 = p_7_5 - k_90 * t_149 - k_91 * t_150;
-  const T t_154 = p_7_7 - k_92 * t_149 + k_93 * t_150;
+  const T t_141 = k_45 * c56 + v_7_2c + k_94 * v_7_4c + k_95 * v_7_6c;
+  const T t_142 = k_98 * v_7_4c - k_96 * c56 - k_97 * v_7_2c + v_7_6c;
+  const T t_143 = v_7_4c - k_99 * c56 - k_100 * v_7_2c - k_101 * v_7_6c;
+  const T t_144 = v_7_2c - k_102 * c56 - k_103 * v_7_4c + k_104 * v_7_6c;
+  const T t_145 = k_105 * sin_b;
+  const T p_7_1 = cos_b * t_137 - t_145 * t_141;
+  const T q_7_1 = t_145 * t_137 + k_106 * cos_b * t_141;
+  const T t_146 = k_107 * sin_3b;
+  const T p_7_3 = cos_3b * t_138 + t_146 * t_142;
+  const T q_7_3 = k_108 * cos_3b * t_142 - t_146 * t_138;
+  const T t_147 = k_109 * sin_5b;
+  const T p_7_5 = cos_5b * t_139 + t_147 * t_143;
+  const T q_7_5 = k_110 * cos_5b * t_143 - t_147 * t_139;
+  const T t_148 = k_111 * sin_7b;
+  const T t_149 = k_112 * cos_7b;
+  const T p_7_7 = cos_7b * t_140 + t_148 * t_144;
+  const T q_7_7 = t_149 * t_144 - t_148 * t_140;
+  const T t_150 = p_7_1 + k_83 * p_7_5 + k_84 * p_7_7;
+  const T t_151 = p_7_3 + k_85 * p_7_5 - k_86 * p_7_7;
+  const T t_152 = p_7_1 - k_87 * t_150 - k_88 * t_151;
+  const T t_153 = p_7_3 - k_88 * t_150 - k_89 * t_151;
+  const T t_154 = p_7_5 - k_90 * t_150 - k_91 * t_151;
+  const T t_155 = p_7_7 - k_92 * t_150 + k_93 * t_151;
   out[56] = k_45 * q_7_1 - k_96 * q_7_3 - k_99 * q_7_5 - k_102 * q_7_7;                                    // l=7 m=0
-  const T t_155 = q_7_1 - k_97 * q_7_3 - k_100 * q_7_5 + q_7_7;
-  const T t_156 = k_94 * q_7_1 + k_98 * q_7_3 + q_7_5 - k_103 * q_7_7;
-  const T t_157 = k_95 * q_7_1 + q_7_3 - k_101 * q_7_5 + k_104 * q_7_7;
-  const T t_158 = v_7_7s - k_113 * v_7_1s - k_114 * v_7_3s - k_115 * v_7_5s;
-  const T t_159 = k_117 * v_7_3s - k_116 * v_7_1s + v_7_5s - k_118 * v_7_7s;
-  const T t_160 = v_7_3s - k_3 * v_7_1s - k_119 * v_7_5s + k_120 * v_7_7s;
-  const T t_161 = k_122 * v_7_4s - k_121 * v_7_2s + v_7_6s;
-  const T t_162 = v_7_2s + k_123 * t_161;
-  const T t_163 = v_7_4s - k_124 * t_161;
-  const T t_164 = v_7_6s - k_125 * t_161;
-  const T t_165 = k_126 * t_17;
-  const T t_166 = k_127 * t_19;
-  const T p_7_2 = t_165 * t_158 - t_166 * t_162;
-  const T q_7_2 = t_166 * t_158 - cos_2b * t_162;
-  const T t_167 = k_129 * t_24;
-  const T p_7_4 = k_128 * t_23 * t_159 - t_167 * t_163;
-  const T q_7_4 = t_167 * t_159 - cos_4b * t_163;
-  const T t_168 = k_131 * t_29;
-  const T p_7_6 = k_130 * t_28 * t_160 - t_168 * t_164;
-  const T q_7_6 = t_168 * t_160 - cos_6b * t_164;
-  const T t_169 = v_7_1s + (k_113 * p_7_2 + k_116 * p_7_4 + k_3 * p_7_6);
-  const T t_170 = v_7_3s - (k_117 * p_7_4 - k_114 * p_7_2 + p_7_6);
-  const T t_171 = v_7_5s - (p_7_4 - k_115 * p_7_2 - k_119 * p_7_6);
-  const T t_172 = v_7_7s - (p_7_2 - k_118 * p_7_4 + k_120 * p_7_6);
-  const T t_173 = k_122 * q_7_4 - k_121 * q_7_2 + q_7_6;
-  const T t_174 = q_7_2 + k_123 * t_173;
-  const T t_175 = q_7_4 - k_124 * t_173;
-  const T t_176 = q_7_6 - k_125 * t_173;
-  out[57] = cos_a * t_151 - sin_a * t_169;                                                                 // l=7 m=1
-  out[55] = sin_a * t_151 + cos_a * t_169;                                                                 // l=7 m=-1
-  out[58] = cos_2a * t_155 + sin_2a * t_174;                                                               // l=7 m=2
-  out[54] = sin_2a * t_155 - cos_2a * t_174;                                                               // l=7 m=-2
-  out[59] = cos_3a * t_152 - sin_3a * t_170;                                                               // l=7 m=3
-  out[53] = sin_3a * t_152 + cos_3a * t_170;                                                               // l=7 m=-3
-  out[60] = cos_4a * t_156 + sin_4a * t_175;                                                               // l=7 m=4
-  out[52] = sin_4a * t_156 - cos_4a * t_175;                                                               // l=7 m=-4
-  out[61] = cos_5a * t_153 - sin_5a * t_171;                                                               // l=7 m=5
-  out[51] = sin_5a * t_153 + cos_5a * t_171;                                                               // l=7 m=-5
-  out[62] = cos_6a * t_157 + sin_6a * t_176;                                                               // l=7 m=6
-  out[50] = sin_6a * t_157 - cos_6a * t_176;                                                               // l=7 m=-6
-  out[63] = cos_7a * t_154 - sin_7a * t_172;                                                               // l=7 m=7
-  out[49] = sin_7a * t_154 + cos_7a * t_172;                                                               // l=7 m=-7
+  const T t_156 = q_7_1 - k_97 * q_7_3 - k_100 * q_7_5 + q_7_7;
+  const T t_157 = k_94 * q_7_1 + k_98 * q_7_3 + q_7_5 - k_103 * q_7_7;
+  const T t_158 = k_95 * q_7_1 + q_7_3 - k_101 * q_7_5 + k_104 * q_7_7;
+  const T t_159 = v_7_7s - k_113 * v_7_1s - k_114 * v_7_3s - k_115 * v_7_5s;
+  const T t_160 = k_117 * v_7_3s - k_116 * v_7_1s + v_7_5s - k_118 * v_7_7s;
+  const T t_161 = v_7_3s - k_3 * v_7_1s - k_119 * v_7_5s + k_120 * v_7_7s;
+  const T t_162 = k_122 * v_7_4s - k_121 * v_7_2s + v_7_6s;
+  const T t_163 = v_7_2s + k_123 * t_162;
+  const T t_164 = v_7_4s - k_124 * t_162;
+  const T t_165 = v_7_6s - k_125 * t_162;
+  const T t_166 = k_126 * t_18;
+  const T t_167 = k_127 * t_20;
+  const T p_7_2 = t_166 * t_159 - t_167 * t_163;
+  const T q_7_2 = t_167 * t_159 - cos_2b * t_163;
+  const T t_168 = k_129 * t_25;
+  const T p_7_4 = k_128 * t_24 * t_160 - t_168 * t_164;
+  const T q_7_4 = t_168 * t_160 - cos_4b * t_164;
+  const T t_169 = k_131 * t_30;
+  const T p_7_6 = k_130 * t_29 * t_161 - t_169 * t_165;
+  const T q_7_6 = t_169 * t_161 - cos_6b * t_165;
+  const T t_170 = v_7_1s + (k_113 * p_7_2 + k_116 * p_7_4 + k_3 * p_7_6);
+  const T t_171 = v_7_3s - (k_117 * p_7_4 - k_114 * p_7_2 + p_7_6);
+  const T t_172 = v_7_5s - (p_7_4 - k_115 * p_7_2 - k_119 * p_7_6);
+  const T t_173 = v_7_7s - (p_7_2 - k_118 * p_7_4 + k_120 * p_7_6);
+  const T t_174 = k_122 * q_7_4 - k_121 * q_7_2 + q_7_6;
+  const T t_175 = q_7_2 + k_123 * t_174;
+  const T t_176 = q_7_4 - k_124 * t_174;
+  const T t_177 = q_7_6 - k_125 * t_174;
+  out[57] = cos_a * t_152 - sin_a * t_170;                                                                 // l=7 m=1
+  out[55] = sin_a * t_152 + cos_a * t_170;                                                                 // l=7 m=-1
+  out[58] = cos_2a * t_156 + sin_2a * t_175;                                                               // l=7 m=2
+  out[54] = sin_2a * t_156 - cos_2a * t_175;                                                               // l=7 m=-2
+  out[59] = cos_3a * t_153 - sin_3a * t_171;                                                               // l=7 m=3
+  out[53] = sin_3a * t_153 + cos_3a * t_171;                                                               // l=7 m=-3
+  out[60] = cos_4a * t_157 + sin_4a * t_176;                                                               // l=7 m=4
+  out[52] = sin_4a * t_157 - cos_4a * t_176;                                                               // l=7 m=-4
+  out[61] = cos_5a * t_154 - sin_5a * t_172;                                                               // l=7 m=5
+  out[51] = sin_5a * t_154 + cos_5a * t_172;                                                               // l=7 m=-5
+  out[62] = cos_6a * t_158 + sin_6a * t_177;                                                               // l=7 m=6
+  out[50] = sin_6a * t_158 - cos_6a * t_177;                                                               // l=7 m=-6
+  out[63] = cos_7a * t_155 - sin_7a * t_173;                                                               // l=7 m=7
+  out[49] = sin_7a * t_155 + cos_7a * t_173;                                                               // l=7 m=-7
   const T c73 = c[73];
   const T c71 = c[71];
   const T v_8_1c = cos_g * c73 - sin_g * c71;
@@ -962,82 +962,82 @@ constexpr void rotate_quaternion_l10(const T* q, const T* c, T* out) noexcept {
   const T v_8_8c = cos_8g * c80 - sin_8g * c64;
   const T v_8_8s = sin_8g * c80 + cos_8g * c64;
   const T c72 = c[72];
-  const T t_177 = v_8_8c - k_132 * c72 - k_133 * v_8_2c - k_134 * v_8_4c;
-  const T t_178 = k_137 * v_8_4c - k_135 * c72 - k_136 * v_8_2c + v_8_6c - k_138 * v_8_8c;
-  const T t_179 = v_8_4c - k_139 * c72 - k_140 * v_8_6c + k_141 * v_8_8c;
-  const T t_180 = v_8_2c - k_142 * c72 - k_143 * v_8_4c + k_144 * v_8_6c - k_145 * v_8_8c;
-  const T t_181 = k_146 * v_8_1c + k_147 * v_8_3c + k_13 * v_8_5c + v_8_7c;
-  const T t_182 = v_8_7c - k_148 * v_8_1c - k_149 * v_8_3c - k_150 * v_8_5c;
-  const T t_183 = v_8_5c - k_151 * v_8_1c - k_152 * v_8_3c - k_153 * v_8_7c;
-  const T t_184 = v_8_1c - k_154 * v_8_3c + k_155 * v_8_5c - k_156 * v_8_7c;
-  const T t_185 = k_157 * t_19;
-  const T p_8_2 = t_165 * t_177 - t_185 * t_181;
-  const T q_8_2 = k_112 * cos_2b * t_181 - t_185 * t_177;
-  const T t_186 = k_159 * t_24;
-  const T p_8_4 = k_158 * t_23 * t_178 + t_186 * t_182;
-  const T q_8_4 = t_186 * t_178 + k_160 * cos_4b * t_182;
-  const T t_187 = k_162 * t_29;
-  const T p_8_6 = k_161 * t_28 * t_179 + t_187 * t_183;
-  const T q_8_6 = t_187 * t_179 + k_163 * cos_6b * t_183;
-  const T t_188 = k_165 * t_34;
-  const T p_8_8 = k_164 * t_33 * t_180 - t_188 * t_184;
-  const T q_8_8 = k_166 * cos_8b * t_184 - t_188 * t_180;
+  const T t_178 = v_8_8c - k_132 * c72 - k_133 * v_8_2c - k_134 * v_8_4c;
+  const T t_179 = k_137 * v_8_4c - k_135 * c72 - k_136 * v_8_2c + v_8_6c - k_138 * v_8_8c;
+  const T t_180 = v_8_4c - k_139 * c72 - k_140 * v_8_6c + k_141 * v_8_8c;
+  const T t_181 = v_8_2c - k_142 * c72 - k_143 * v_8_4c + k_144 * v_8_6c - k_145 * v_8_8c;
+  const T t_182 = k_146 * v_8_1c + k_147 * v_8_3c + k_13 * v_8_5c + v_8_7c;
+  const T t_183 = v_8_7c - k_148 * v_8_1c - k_149 * v_8_3c - k_150 * v_8_5c;
+  const T t_184 = v_8_5c - k_151 * v_8_1c - k_152 * v_8_3c - k_153 * v_8_7c;
+  const T t_185 = v_8_1c - k_154 * v_8_3c + k_155 * v_8_5c - k_156 * v_8_7c;
+  const T t_186 = k_157 * t_20;
+  const T p_8_2 = t_166 * t_178 - t_186 * t_182;
+  const T q_8_2 = k_112 * cos_2b * t_182 - t_186 * t_178;
+  const T t_187 = k_159 * t_25;
+  const T p_8_4 = k_158 * t_24 * t_179 + t_187 * t_183;
+  const T q_8_4 = t_187 * t_179 + k_160 * cos_4b * t_183;
+  const T t_188 = k_162 * t_30;
+  const T p_8_6 = k_161 * t_29 * t_180 + t_188 * t_184;
+  const T q_8_6 = t_188 * t_180 + k_163 * cos_6b * t_184;
+  const T t_189 = k_165 * t_35;
+  const T p_8_8 = k_164 * t_34 * t_181 - t_189 * t_185;
+  const T q_8_8 = k_166 * cos_8b * t_185 - t_189 * t_181;
   out[72] = c72 + (k_132 * p_8_2 + k_135 * p_8_4 + k_139 * p_8_6 + k_142 * p_8_8);                         // l=8 m=0
-  const T t_189 = v_8_2c - (p_8_8 - k_133 * p_8_2 - k_136 * p_8_4);
-  const T t_190 = v_8_4c - (k_137 * p_8_4 - k_134 * p_8_2 + p_8_6 - k_143 * p_8_8);
-  const T t_191 = v_8_6c - (p_8_4 - k_140 * p_8_6 + k_144 * p_8_8);
-  const T t_192 = v_8_8c - (p_8_2 - k_138 * p_8_4 + k_141 * p_8_6 - k_145 * p_8_8);
-  const T t_193 = k_146 * q_8_2 - k_148 * q_8_4 - k_151 * q_8_6 + q_8_8;
-  const T t_194 = k_147 * q_8_2 - k_149 * q_8_4 - k_152 * q_8_6 - k_154 * q_8_8;
-  const T t_195 = k_13 * q_8_2 - k_150 * q_8_4 + q_8_6 + k_155 * q_8_8;
-  const T t_196 = q_8_2 + q_8_4 - k_153 * q_8_6 - k_156 * q_8_8;
-  const T t_197 = k_167 * v_8_2s + k_168 * v_8_4s + k_169 * v_8_6s + v_8_8s;
-  const T t_198 = k_170 * v_8_2s + v_8_4s + k_171 * v_8_6s - k_172 * v_8_8s;
-  const T t_199 = v_8_6s - k_173 * v_8_2s - k_174 * v_8_4s - k_175 * v_8_8s;
-  const T t_200 = v_8_2s - k_176 * v_8_4s + k_177 * v_8_6s - k_178 * v_8_8s;
-  const T t_201 = k_179 * v_8_3s - k_86 * v_8_1s + v_8_5s;
-  const T t_202 = k_180 * v_8_3s - k_132 * v_8_1s + v_8_7s;
-  const T t_203 = v_8_1s + k_93 * t_201 + k_181 * t_202;
-  const T t_204 = v_8_3s - k_182 * t_201 - k_183 * t_202;
-  const T t_205 = v_8_5s - k_184 * t_201 + k_185 * t_202;
-  const T t_206 = v_8_7s + k_185 * t_201 - k_186 * t_202;
-  const T t_207 = k_187 * sin_b;
-  const T p_8_1 = k_166 * cos_b * t_197 + t_207 * t_203;
-  const T q_8_1 = cos_b * t_203 - t_207 * t_197;
-  const T t_208 = k_189 * sin_3b;
-  const T p_8_3 = k_188 * cos_3b * t_198 + t_208 * t_204;
-  const T q_8_3 = cos_3b * t_204 - t_208 * t_198;
-  const T t_209 = k_190 * sin_5b;
-  const T p_8_5 = k_163 * cos_5b * t_199 - t_209 * t_205;
-  const T q_8_5 = t_209 * t_199 + cos_5b * t_205;
-  const T p_8_7 = t_148 * t_200 + t_147 * t_206;
-  const T q_8_7 = cos_7b * t_206 - t_147 * t_200;
-  const T t_210 = k_167 * p_8_1 + k_170 * p_8_3 - k_173 * p_8_5 + p_8_7;
-  const T t_211 = k_168 * p_8_1 + p_8_3 - k_174 * p_8_5 - k_176 * p_8_7;
-  const T t_212 = k_169 * p_8_1 + k_171 * p_8_3 + p_8_5 + k_177 * p_8_7;
-  const T t_213 = p_8_1 - k_172 * p_8_3 - k_175 * p_8_5 - k_178 * p_8_7;
-  const T t_214 = k_179 * q_8_3 - k_86 * q_8_1 + q_8_5;
-  const T t_215 = k_180 * q_8_3 - k_132 * q_8_1 + q_8_7;
-  const T t_216 = q_8_1 + k_93 * t_214 + k_181 * t_215;
-  const T t_217 = q_8_3 - k_182 * t_214 - k_183 * t_215;
-  const T t_218 = q_8_5 - k_184 * t_214 + k_185 * t_215;
-  const T t_219 = q_8_7 + k_185 * t_214 - k_186 * t_215;
-  out[73] = cos_a * t_193 - sin_a * t_216;                                                                 // l=8 m=1
-  out[71] = sin_a * t_193 + cos_a * t_216;                                                                 // l=8 m=-1
-  out[74] = cos_2a * t_189 - sin_2a * t_210;                                                               // l=8 m=2
-  out[70] = sin_2a * t_189 + cos_2a * t_210;                                                               // l=8 m=-2
-  out[75] = cos_3a * t_194 - sin_3a * t_217;                                                               // l=8 m=3
-  out[69] = sin_3a * t_194 + cos_3a * t_217;                                                               // l=8 m=-3
-  out[76] = cos_4a * t_190 - sin_4a * t_211;                                                               // l=8 m=4
-  out[68] = sin_4a * t_190 + cos_4a * t_211;                                                               // l=8 m=-4
-  out[77] = cos_5a * t_195 - sin_5a * t_218;                                                               // l=8 m=5
-  out[67] = sin_5a * t_195 + cos_5a * t_218;                                                               // l=8 m=-5
-  out[78] = cos_6a * t_191 - sin_6a * t_212;                                                               // l=8 m=6
-  out[66] = sin_6a * t_191 + cos_6a * t_212;                                                               // l=8 m=-6
-  out[79] = cos_7a * t_196 - sin_7a * t_219;                                                               // l=8 m=7
-  out[65] = sin_7a * t_196 + cos_7a * t_219;                                                               // l=8 m=-7
-  out[80] = cos_8a * t_192 - sin_8a * t_213;                                                               // l=8 m=8
-  out[64] = sin_8a * t_192 + cos_8a * t_213;                                                               // l=8 m=-8
+  const T t_190 = v_8_2c - (p_8_8 - k_133 * p_8_2 - k_136 * p_8_4);
+  const T t_191 = v_8_4c - (k_137 * p_8_4 - k_134 * p_8_2 + p_8_6 - k_143 * p_8_8);
+  const T t_192 = v_8_6c - (p_8_4 - k_140 * p_8_6 + k_144 * p_8_8);
+  const T t_193 = v_8_8c - (p_8_2 - k_138 * p_8_4 + k_141 * p_8_6 - k_145 * p_8_8);
+  const T t_194 = k_146 * q_8_2 - k_148 * q_8_4 - k_151 * q_8_6 + q_8_8;
+  const T t_195 = k_147 * q_8_2 - k_149 * q_8_4 - k_152 * q_8_6 - k_154 * q_8_8;
+  const T t_196 = k_13 * q_8_2 - k_150 * q_8_4 + q_8_6 + k_155 * q_8_8;
+  const T t_197 = q_8_2 + q_8_4 - k_153 * q_8_6 - k_156 * q_8_8;
+  const T t_198 = k_167 * v_8_2s + k_168 * v_8_4s + k_169 * v_8_6s + v_8_8s;
+  const T t_199 = k_170 * v_8_2s + v_8_4s + k_171 * v_8_6s - k_172 * v_8_8s;
+  const T t_200 = v_8_6s - k_173 * v_8_2s - k_174 * v_8_4s - k_175 * v_8_8s;
+  const T t_201 = v_8_2s - k_176 * v_8_4s + k_177 * v_8_6s - k_178 * v_8_8s;
+  const T t_202 = k_179 * v_8_3s - k_86 * v_8_1s + v_8_5s;
+  const T t_203 = k_180 * v_8_3s - k_132 * v_8_1s + v_8_7s;
+  const T t_204 = v_8_1s + k_93 * t_202 + k_181 * t_203;
+  const T t_205 = v_8_3s - k_182 * t_202 - k_183 * t_203;
+  const T t_206 = v_8_5s - k_184 * t_202 + k_185 * t_203;
+  const T t_207 = v_8_7s + k_185 * t_202 - k_186 * t_203;
+  const T t_208 = k_187 * sin_b;
+  const T p_8_1 = k_166 * cos_b * t_198 + t_208 * t_204;
+  const T q_8_1 = cos_b * t_204 - t_208 * t_198;
+  const T t_209 = k_189 * sin_3b;
+  const T p_8_3 = k_188 * cos_3b * t_199 + t_209 * t_205;
+  const T q_8_3 = cos_3b * t_205 - t_209 * t_199;
+  const T t_210 = k_190 * sin_5b;
+  const T p_8_5 = k_163 * cos_5b * t_200 - t_210 * t_206;
+  const T q_8_5 = t_210 * t_200 + cos_5b * t_206;
+  const T p_8_7 = t_149 * t_201 + t_148 * t_207;
+  const T q_8_7 = cos_7b * t_207 - t_148 * t_201;
+  const T t_211 = k_167 * p_8_1 + k_170 * p_8_3 - k_173 * p_8_5 + p_8_7;
+  const T t_212 = k_168 * p_8_1 + p_8_3 - k_174 * p_8_5 - k_176 * p_8_7;
+  const T t_213 = k_169 * p_8_1 + k_171 * p_8_3 + p_8_5 + k_177 * p_8_7;
+  const T t_214 = p_8_1 - k_172 * p_8_3 - k_175 * p_8_5 - k_178 * p_8_7;
+  const T t_215 = k_179 * q_8_3 - k_86 * q_8_1 + q_8_5;
+  const T t_216 = k_180 * q_8_3 - k_132 * q_8_1 + q_8_7;
+  const T t_217 = q_8_1 + k_93 * t_215 + k_181 * t_216;
+  const T t_218 = q_8_3 - k_182 * t_215 - k_183 * t_216;
+  const T t_219 = q_8_5 - k_184 * t_215 + k_185 * t_216;
+  const T t_220 = q_8_7 + k_185 * t_215 - k_186 * t_216;
+  out[73] = cos_a * t_194 - sin_a * t_217;                                                                 // l=8 m=1
+  out[71] = sin_a * t_194 + cos_a * t_217;                                                                 // l=8 m=-1
+  out[74] = cos_2a * t_190 - sin_2a * t_211;                                                               // l=8 m=2
+  out[70] = sin_2a * t_190 + cos_2a * t_211;                                                               // l=8 m=-2
+  out[75] = cos_3a * t_195 - sin_3a * t_218;                                                               // l=8 m=3
+  out[69] = sin_3a * t_195 + cos_3a * t_218;                                                               // l=8 m=-3
+  out[76] = cos_4a * t_191 - sin_4a * t_212;                                                               // l=8 m=4
+  out[68] = sin_4a * t_191 + cos_4a * t_212;                                                               // l=8 m=-4
+  out[77] = cos_5a * t_196 - sin_5a * t_219;                                                               // l=8 m=5
+  out[67] = sin_5a * t_196 + cos_5a * t_219;                                                               // l=8 m=-5
+  out[78] = cos_6a * t_192 - sin_6a * t_213;                                                               // l=8 m=6
+  out[66] = sin_6a * t_192 + cos_6a * t_213;                                                               // l=8 m=-6
+  out[79] = cos_7a * t_197 - sin_7a * t_220;                                                               // l=8 m=7
+  out[65] = sin_7a * t_197 + cos_7a * t_220;                                                               // l=8 m=-7
+  out[80] = cos_8a * t_193 - sin_8a * t_214;                                                               // l=8 m=8
+  out[64] = sin_8a * t_193 + cos_8a * t_214;                                                               // l=8 m=-8
   const T c91 = c[91];
   const T c89 = c[89];
   const T v_9_1c = cos_g * c91 - sin_g * c89;
@@ -1074,97 +1074,97 @@ constexpr void rotate_quaternion_l10(const T* q, const T* c, T* out) noexcept {
   const T c81 = c[81];
   const T v_9_9c = cos_9g * c99 - sin_9g * c81;
   const T v_9_9s = sin_9g * c99 + cos_9g * c81;
-  const T t_220 = v_9_5c - k_191 * v_9_1c - k_192 * v_9_3c + k_15 * v_9_7c;
-  const T t_221 = k_194 * v_9_3c - k_193 * v_9_1c + k_195 * v_9_7c + v_9_9c;
-  const T t_222 = v_9_1c + k_196 * t_220 + k_197 * t_221;
-  const T t_223 = v_9_3c + k_198 * t_220 - k_199 * t_221;
-  const T t_224 = v_9_5c - k_200 * t_220 + k_201 * t_221;
-  const T t_225 = v_9_7c - k_202 * t_220 - k_203 * t_221;
-  const T t_226 = v_9_9c + k_201 * t_220 - k_204 * t_221;
+  const T t_221 = v_9_5c - k_191 * v_9_1c - k_192 * v_9_3c + k_15 * v_9_7c;
+  const T t_222 = k_194 * v_9_3c - k_193 * v_9_1c + k_195 * v_9_7c + v_9_9c;
+  const T t_223 = v_9_1c + k_196 * t_221 + k_197 * t_222;
+  const T t_224 = v_9_3c + k_198 * t_221 - k_199 * t_222;
+  const T t_225 = v_9_5c - k_200 * t_221 + k_201 * t_222;
+  const T t_226 = v_9_7c - k_202 * t_221 - k_203 * t_222;
+  const T t_227 = v_9_9c + k_201 * t_221 - k_204 * t_222;
   const T c90 = c[90];
-  const T t_227 = k_205 * c90 + v_9_2c + k_206 * v_9_4c + k_207 * v_9_6c + k_208 * v_9_8c;
-  const T t_228 = k_212 * v_9_6c - k_209 * c90 - k_210 * v_9_2c - k_211 * v_9_4c + v_9_8c;
-  const T t_229 = k_215 * v_9_4c - k_213 * c90 - k_214 * v_9_2c + v_9_6c - k_216 * v_9_8c;
-  const T t_230 = k_218 * v_9_2c - k_217 * c90 + v_9_4c - k_219 * v_9_6c + k_220 * v_9_8c;
-  const T t_231 = v_9_2c - k_221 * c90 - k_222 * v_9_4c + k_223 * v_9_6c - k_224 * v_9_8c;
-  const T t_232 = k_225 * sin_b;
-  const T p_9_1 = cos_b * t_222 + t_232 * t_227;
-  const T q_9_1 = k_226 * cos_b * t_227 - t_232 * t_222;
-  const T t_233 = k_227 * sin_3b;
-  const T p_9_3 = cos_3b * t_223 - t_233 * t_228;
-  const T q_9_3 = t_233 * t_223 + k_228 * cos_3b * t_228;
-  const T t_234 = k_189 * sin_5b;
-  const T p_9_5 = cos_5b * t_224 - t_234 * t_229;
-  const T q_9_5 = t_234 * t_224 + k_188 * cos_5b * t_229;
-  const T t_235 = k_229 * sin_7b;
-  const T p_9_7 = cos_7b * t_225 - t_235 * t_230;
-  const T q_9_7 = t_235 * t_225 + k_230 * cos_7b * t_230;
-  const T t_236 = k_231 * sin_9b;
-  const T p_9_9 = cos_9b * t_226 - t_236 * t_231;
-  const T q_9_9 = t_236 * t_226 + k_232 * cos_9b * t_231;
-  const T t_237 = p_9_5 - k_191 * p_9_1 - k_192 * p_9_3 + k_15 * p_9_7;
-  const T t_238 = k_194 * p_9_3 - k_193 * p_9_1 + k_195 * p_9_7 + p_9_9;
-  const T t_239 = p_9_1 + k_196 * t_237 + k_197 * t_238;
-  const T t_240 = p_9_3 + k_198 * t_237 - k_199 * t_238;
-  const T t_241 = p_9_5 - k_200 * t_237 + k_201 * t_238;
-  const T t_242 = p_9_7 - k_202 * t_237 - k_203 * t_238;
-  const T t_243 = p_9_9 + k_201 * t_237 - k_204 * t_238;
+  const T t_228 = k_205 * c90 + v_9_2c + k_206 * v_9_4c + k_207 * v_9_6c + k_208 * v_9_8c;
+  const T t_229 = k_212 * v_9_6c - k_209 * c90 - k_210 * v_9_2c - k_211 * v_9_4c + v_9_8c;
+  const T t_230 = k_215 * v_9_4c - k_213 * c90 - k_214 * v_9_2c + v_9_6c - k_216 * v_9_8c;
+  const T t_231 = k_218 * v_9_2c - k_217 * c90 + v_9_4c - k_219 * v_9_6c + k_220 * v_9_8c;
+  const T t_232 = v_9_2c - k_221 * c90 - k_222 * v_9_4c + k_223 * v_9_6c - k_224 * v_9_8c;
+  const T t_233 = k_225 * sin_b;
+  const T p_9_1 = cos_b * t_223 + t_233 * t_228;
+  const T q_9_1 = k_226 * cos_b * t_228 - t_233 * t_223;
+  const T t_234 = k_227 * sin_3b;
+  const T p_9_3 = cos_3b * t_224 - t_234 * t_229;
+  const T q_9_3 = t_234 * t_224 + k_228 * cos_3b * t_229;
+  const T t_235 = k_189 * sin_5b;
+  const T p_9_5 = cos_5b * t_225 - t_235 * t_230;
+  const T q_9_5 = t_235 * t_225 + k_188 * cos_5b * t_230;
+  const T t_236 = k_229 * sin_7b;
+  const T p_9_7 = cos_7b * t_226 - t_236 * t_231;
+  const T q_9_7 = t_236 * t_226 + k_230 * cos_7b * t_231;
+  const T t_237 = k_231 * sin_9b;
+  const T p_9_9 = cos_9b * t_227 - t_237 * t_232;
+  const T q_9_9 = t_237 * t_227 + k_232 * cos_9b * t_232;
+  const T t_238 = p_9_5 - k_191 * p_9_1 - k_192 * p_9_3 + k_15 * p_9_7;
+  const T t_239 = k_194 * p_9_3 - k_193 * p_9_1 + k_195 * p_9_7 + p_9_9;
+  const T t_240 = p_9_1 + k_196 * t_238 + k_197 * t_239;
+  const T t_241 = p_9_3 + k_198 * t_238 - k_199 * t_239;
+  const T t_242 = p_9_5 - k_200 * t_238 + k_201 * t_239;
+  const T t_243 = p_9_7 - k_202 * t_238 - k_203 * t_239;
+  const T t_244 = p_9_9 + k_201 * t_238 - k_204 * t_239;
   out[90] = k_205 * q_9_1 - k_209 * q_9_3 - k_213 * q_9_5 - k_217 * q_9_7 - k_221 * q_9_9;                 // l=9 m=0
-  const T t_244 = q_9_1 - k_210 * q_9_3 - k_214 * q_9_5 + k_218 * q_9_7 + q_9_9;
-  const T t_245 = k_206 * q_9_1 - k_211 * q_9_3 + k_215 * q_9_5 + q_9_7 - k_222 * q_9_9;
-  const T t_246 = k_207 * q_9_1 + k_212 * q_9_3 + q_9_5 - k_219 * q_9_7 + k_223 * q_9_9;
-  const T t_247 = k_208 * q_9_1 + q_9_3 - k_216 * q_9_5 + k_220 * q_9_7 - k_224 * q_9_9;
-  const T t_248 = k_236 * v_9_7s - k_233 * v_9_1s - k_234 * v_9_3s - k_235 * v_9_5s + v_9_9s;
-  const T t_249 = k_239 * v_9_5s - k_237 * v_9_1s - k_238 * v_9_3s + v_9_7s - k_240 * v_9_9s;
-  const T t_250 = k_242 * v_9_3s - k_241 * v_9_1s + v_9_5s - k_243 * v_9_7s + k_244 * v_9_9s;
-  const T t_251 = v_9_3s - k_245 * v_9_1s - k_246 * v_9_5s + k_247 * v_9_7s - k_248 * v_9_9s;
-  const T t_252 = v_9_6s - k_249 * v_9_2s;
-  const T t_253 = k_251 * v_9_4s - k_250 * v_9_2s + v_9_8s;
-  const T t_254 = v_9_2s + k_252 * t_252 + k_253 * t_253;
-  const T t_255 = v_9_4s + k_254 * t_252 - k_255 * t_253;
-  const T t_256 = v_9_6s - k_256 * t_252 + k_257 * t_253;
-  const T t_257 = v_9_8s + k_257 * t_252 - k_258 * t_253;
-  const T t_258 = k_260 * t_19;
-  const T p_9_2 = k_259 * t_17 * t_248 - t_258 * t_254;
-  const T q_9_2 = cos_2b * t_254 - t_258 * t_248;
-  const T t_259 = k_262 * t_24;
-  const T p_9_4 = k_261 * t_23 * t_249 - t_259 * t_255;
-  const T q_9_4 = cos_4b * t_255 - t_259 * t_249;
-  const T t_260 = k_264 * t_29;
-  const T p_9_6 = k_263 * t_28 * t_250 - t_260 * t_256;
-  const T q_9_6 = cos_6b * t_256 - t_260 * t_250;
-  const T t_261 = k_266 * t_34;
-  const T p_9_8 = k_265 * t_33 * t_251 - t_261 * t_257;
-  const T q_9_8 = cos_8b * t_257 - t_261 * t_251;
-  const T t_262 = v_9_1s + (k_233 * p_9_2 + k_237 * p_9_4 + k_241 * p_9_6 + k_245 * p_9_8);
-  const T t_263 = v_9_3s - (k_242 * p_9_6 - k_234 * p_9_2 - k_238 * p_9_4 + p_9_8);
-  const T t_264 = v_9_5s - (k_239 * p_9_4 - k_235 * p_9_2 + p_9_6 - k_246 * p_9_8);
-  const T t_265 = v_9_7s - (k_236 * p_9_2 + p_9_4 - k_243 * p_9_6 + k_247 * p_9_8);
-  const T t_266 = v_9_9s - (p_9_2 - k_240 * p_9_4 + k_244 * p_9_6 - k_248 * p_9_8);
-  const T t_267 = q_9_6 - k_249 * q_9_2;
-  const T t_268 = k_251 * q_9_4 - k_250 * q_9_2 + q_9_8;
-  const T t_269 = q_9_2 + k_252 * t_267 + k_253 * t_268;
-  const T t_270 = q_9_4 + k_254 * t_267 - k_255 * t_268;
-  const T t_271 = q_9_6 - k_256 * t_267 + k_257 * t_268;
-  const T t_272 = q_9_8 + k_257 * t_267 - k_258 * t_268;
-  out[91] = cos_a * t_239 - sin_a * t_262;                                                                 // l=9 m=1
-  out[89] = sin_a * t_239 + cos_a * t_262;                                                                 // l=9 m=-1
-  out[92] = cos_2a * t_244 - sin_2a * t_269;                                                               // l=9 m=2
-  out[88] = sin_2a * t_244 + cos_2a * t_269;                                                               // l=9 m=-2
-  out[93] = cos_3a * t_240 - sin_3a * t_263;                                                               // l=9 m=3
-  out[87] = sin_3a * t_240 + cos_3a * t_263;                                                               // l=9 m=-3
-  out[94] = cos_4a * t_245 - sin_4a * t_270;                                                               // l=9 m=4
-  out[86] = sin_4a * t_245 + cos_4a * t_270;                                                               // l=9 m=-4
-  out[95] = cos_5a * t_241 - sin_5a * t_264;                                                               // l=9 m=5
-  out[85] = sin_5a * t_241 + cos_5a * t_264;                                                               // l=9 m=-5
-  out[96] = cos_6a * t_246 - sin_6a * t_271;                                                               // l=9 m=6
-  out[84] = sin_6a * t_246 + cos_6a * t_271;                                                               // l=9 m=-6
-  out[97] = cos_7a * t_242 - sin_7a * t_265;                                                               // l=9 m=7
-  out[83] = sin_7a * t_242 + cos_7a * t_265;                                                               // l=9 m=-7
-  out[98] = cos_8a * t_247 - sin_8a * t_272;                                                               // l=9 m=8
-  out[82] = sin_8a * t_247 + cos_8a * t_272;                                                               // l=9 m=-8
-  out[99] = cos_9a * t_243 - sin_9a * t_266;                                                               // l=9 m=9
-  out[81] = sin_9a * t_243 + cos_9a * t_266;                                                               // l=9 m=-9
+  const T t_245 = q_9_1 - k_210 * q_9_3 - k_214 * q_9_5 + k_218 * q_9_7 + q_9_9;
+  const T t_246 = k_206 * q_9_1 - k_211 * q_9_3 + k_215 * q_9_5 + q_9_7 - k_222 * q_9_9;
+  const T t_247 = k_207 * q_9_1 + k_212 * q_9_3 + q_9_5 - k_219 * q_9_7 + k_223 * q_9_9;
+  const T t_248 = k_208 * q_9_1 + q_9_3 - k_216 * q_9_5 + k_220 * q_9_7 - k_224 * q_9_9;
+  const T t_249 = k_236 * v_9_7s - k_233 * v_9_1s - k_234 * v_9_3s - k_235 * v_9_5s + v_9_9s;
+  const T t_250 = k_239 * v_9_5s - k_237 * v_9_1s - k_238 * v_9_3s + v_9_7s - k_240 * v_9_9s;
+  const T t_251 = k_242 * v_9_3s - k_241 * v_9_1s + v_9_5s - k_243 * v_9_7s + k_244 * v_9_9s;
+  const T t_252 = v_9_3s - k_245 * v_9_1s - k_246 * v_9_5s + k_247 * v_9_7s - k_248 * v_9_9s;
+  const T t_253 = v_9_6s - k_249 * v_9_2s;
+  const T t_254 = k_251 * v_9_4s - k_250 * v_9_2s + v_9_8s;
+  const T t_255 = v_9_2s + k_252 * t_253 + k_253 * t_254;
+  const T t_256 = v_9_4s + k_254 * t_253 - k_255 * t_254;
+  const T t_257 = v_9_6s - k_256 * t_253 + k_257 * t_254;
+  const T t_258 = v_9_8s + k_257 * t_253 - k_258 * t_254;
+  const T t_259 = k_260 * t_20;
+  const T p_9_2 = k_259 * t_18 * t_249 - t_259 * t_255;
+  const T q_9_2 = cos_2b * t_255 - t_259 * t_249;
+  const T t_260 = k_262 * t_25;
+  const T p_9_4 = k_261 * t_24 * t_250 - t_260 * t_256;
+  const T q_9_4 = cos_4b * t_256 - t_260 * t_250;
+  const T t_261 = k_264 * t_30;
+  const T p_9_6 = k_263 * t_29 * t_251 - t_261 * t_257;
+  const T q_9_6 = cos_6b * t_257 - t_261 * t_251;
+  const T t_262 = k_266 * t_35;
+  const T p_9_8 = k_265 * t_34 * t_252 - t_262 * t_258;
+  const T q_9_8 = cos_8b * t_258 - t_262 * t_252;
+  const T t_263 = v_9_1s + (k_233 * p_9_2 + k_237 * p_9_4 + k_241 * p_9_6 + k_245 * p_9_8);
+  const T t_264 = v_9_3s - (k_242 * p_9_6 - k_234 * p_9_2 - k_238 * p_9_4 + p_9_8);
+  const T t_265 = v_9_5s - (k_239 * p_9_4 - k_235 * p_9_2 + p_9_6 - k_246 * p_9_8);
+  const T t_266 = v_9_7s - (k_236 * p_9_2 + p_9_4 - k_243 * p_9_6 + k_247 * p_9_8);
+  const T t_267 = v_9_9s - (p_9_2 - k_240 * p_9_4 + k_244 * p_9_6 - k_248 * p_9_8);
+  const T t_268 = q_9_6 - k_249 * q_9_2;
+  const T t_269 = k_251 * q_9_4 - k_250 * q_9_2 + q_9_8;
+  const T t_270 = q_9_2 + k_252 * t_268 + k_253 * t_269;
+  const T t_271 = q_9_4 + k_254 * t_268 - k_255 * t_269;
+  const T t_272 = q_9_6 - k_256 * t_268 + k_257 * t_269;
+  const T t_273 = q_9_8 + k_257 * t_268 - k_258 * t_269;
+  out[91] = cos_a * t_240 - sin_a * t_263;                                                                 // l=9 m=1
+  out[89] = sin_a * t_240 + cos_a * t_263;                                                                 // l=9 m=-1
+  out[92] = cos_2a * t_245 - sin_2a * t_270;                                                               // l=9 m=2
+  out[88] = sin_2a * t_245 + cos_2a * t_270;                                                               // l=9 m=-2
+  out[93] = cos_3a * t_241 - sin_3a * t_264;                                                               // l=9 m=3
+  out[87] = sin_3a * t_241 + cos_3a * t_264;                                                               // l=9 m=-3
+  out[94] = cos_4a * t_246 - sin_4a * t_271;                                                               // l=9 m=4
+  out[86] = sin_4a * t_246 + cos_4a * t_271;                                                               // l=9 m=-4
+  out[95] = cos_5a * t_242 - sin_5a * t_265;                                                               // l=9 m=5
+  out[85] = sin_5a * t_242 + cos_5a * t_265;                                                               // l=9 m=-5
+  out[96] = cos_6a * t_247 - sin_6a * t_272;                                                               // l=9 m=6
+  out[84] = sin_6a * t_247 + cos_6a * t_272;                                                               // l=9 m=-6
+  out[97] = cos_7a * t_243 - sin_7a * t_266;                                                               // l=9 m=7
+  out[83] = sin_7a * t_243 + cos_7a * t_266;                                                               // l=9 m=-7
+  out[98] = cos_8a * t_248 - sin_8a * t_273;                                                               // l=9 m=8
+  out[82] = sin_8a * t_248 + cos_8a * t_273;                                                               // l=9 m=-8
+  out[99] = cos_9a * t_244 - sin_9a * t_267;                                                               // l=9 m=9
+  out[81] = sin_9a * t_244 + cos_9a * t_267;                                                               // l=9 m=-9
   const T c111 = c[111];
   const T c109 = c[109];
   const T v_10_1c = cos_g * c111 - sin_g * c109;
@@ -1206,103 +1206,103 @@ constexpr void rotate_quaternion_l10(const T* q, const T* c, T* out) noexcept {
   const T v_10_10c = cos_10g * c120 - sin_10g * c100;
   const T v_10_10s = sin_10g * c120 + cos_10g * c100;
   const T c110 = c[110];
-  const T t_273 = k_271 * v_10_8c - k_267 * c110 - k_268 * v_10_2c - k_269 * v_10_4c - k_270 * v_10_6c + v_10_10c;
-  const T t_274 = k_274 * v_10_4c - k_272 * c110 - k_273 * v_10_2c + k_275 * v_10_6c + v_10_8c - k_276 * v_10_10c;
-  const T t_275 = k_277 * c110 + k_278 * v_10_2c - k_279 * v_10_4c - k_280 * v_10_6c + v_10_8c - k_281 * v_10_10c;
-  const T t_276 = k_283 * v_10_2c - k_282 * c110 + v_10_4c - k_284 * v_10_6c + k_285 * v_10_8c - k_286 * v_10_10c;
-  const T t_277 = v_10_2c - k_61 * c110 - k_287 * v_10_4c + k_288 * v_10_6c - k_289 * v_10_8c + k_290 * v_10_10c;
-  const T t_278 = k_293 * v_10_5c;
-  const T t_279 = k_291 * v_10_1c + k_292 * v_10_3c + t_278 + k_294 * v_10_7c + v_10_9c;
-  const T t_280 = v_10_9c - k_295 * v_10_1c - k_296 * v_10_3c - t_278 - k_297 * v_10_7c;
-  const T t_281 = k_300 * v_10_5c - k_298 * v_10_1c - k_299 * v_10_3c + v_10_7c - k_301 * v_10_9c;
-  const T t_282 = v_10_5c - k_302 * v_10_1c - k_30 * v_10_3c - k_303 * v_10_7c + k_304 * v_10_9c;
-  const T t_283 = v_10_1c - k_305 * v_10_3c + k_306 * v_10_5c - k_307 * v_10_7c + k_308 * v_10_9c;
-  const T t_284 = k_310 * t_19;
-  const T p_10_2 = k_309 * t_17 * t_273 - t_284 * t_279;
-  const T q_10_2 = k_311 * cos_2b * t_279 - t_284 * t_273;
-  const T t_285 = k_313 * t_24;
-  const T p_10_4 = k_312 * t_23 * t_274 + t_285 * t_280;
-  const T q_10_4 = t_285 * t_274 + k_314 * cos_4b * t_280;
-  const T t_286 = k_316 * t_29;
-  const T p_10_6 = k_315 * t_28 * t_275 - t_286 * t_281;
-  const T q_10_6 = k_317 * cos_6b * t_281 - t_286 * t_275;
-  const T t_287 = k_319 * t_34;
-  const T p_10_8 = k_318 * t_33 * t_276 + t_287 * t_282;
-  const T q_10_8 = t_287 * t_276 + k_320 * cos_8b * t_282;
-  const T t_288 = k_322 * sin_5b * cos_5b;
-  const T p_10_10 = k_321 * t_36 * t_277 - t_288 * t_283;
-  const T q_10_10 = (k_323 - k_324 * t_36) * t_283 - t_288 * t_277;
+  const T t_274 = k_271 * v_10_8c - k_267 * c110 - k_268 * v_10_2c - k_269 * v_10_4c - k_270 * v_10_6c + v_10_10c;
+  const T t_275 = k_274 * v_10_4c - k_272 * c110 - k_273 * v_10_2c + k_275 * v_10_6c + v_10_8c - k_276 * v_10_10c;
+  const T t_276 = k_277 * c110 + k_278 * v_10_2c - k_279 * v_10_4c - k_280 * v_10_6c + v_10_8c - k_281 * v_10_10c;
+  const T t_277 = k_283 * v_10_2c - k_282 * c110 + v_10_4c - k_284 * v_10_6c + k_285 * v_10_8c - k_286 * v_10_10c;
+  const T t_278 = v_10_2c - k_61 * c110 - k_287 * v_10_4c + k_288 * v_10_6c - k_289 * v_10_8c + k_290 * v_10_10c;
+  const T t_279 = k_293 * v_10_5c;
+  const T t_280 = k_291 * v_10_1c + k_292 * v_10_3c + t_279 + k_294 * v_10_7c + v_10_9c;
+  const T t_281 = v_10_9c - k_295 * v_10_1c - k_296 * v_10_3c - t_279 - k_297 * v_10_7c;
+  const T t_282 = k_300 * v_10_5c - k_298 * v_10_1c - k_299 * v_10_3c + v_10_7c - k_301 * v_10_9c;
+  const T t_283 = v_10_5c - k_302 * v_10_1c - k_30 * v_10_3c - k_303 * v_10_7c + k_304 * v_10_9c;
+  const T t_284 = v_10_1c - k_305 * v_10_3c + k_306 * v_10_5c - k_307 * v_10_7c + k_308 * v_10_9c;
+  const T t_285 = k_310 * t_20;
+  const T p_10_2 = k_309 * t_18 * t_274 - t_285 * t_280;
+  const T q_10_2 = k_311 * cos_2b * t_280 - t_285 * t_274;
+  const T t_286 = k_313 * t_25;
+  const T p_10_4 = k_312 * t_24 * t_275 + t_286 * t_281;
+  const T q_10_4 = t_286 * t_275 + k_314 * cos_4b * t_281;
+  const T t_287 = k_316 * t_30;
+  const T p_10_6 = k_315 * t_29 * t_276 - t_287 * t_282;
+  const T q_10_6 = k_317 * cos_6b * t_282 - t_287 * t_276;
+  const T t_288 = k_319 * t_35;
+  const T p_10_8 = k_318 * t_34 * t_277 + t_288 * t_283;
+  const T q_10_8 = t_288 * t_277 + k_320 * cos_8b * t_283;
+  const T t_289 = k_322 * sin_5b * cos_5b;
+  const T p_10_10 = k_321 * t_37 * t_278 - t_289 * t_284;
+  const T q_10_10 = (k_323 - k_324 * t_37) * t_284 - t_289 * t_278;
   out[110] = c110 - (k_277 * p_10_6 - k_267 * p_10_2 - k_272 * p_10_4 - k_282 * p_10_8 - k_61 * p_10_10);  // l=10 m=0
-  const T t_289 = v_10_2c - (k_278 * p_10_6 - k_268 * p_10_2 - k_273 * p_10_4 + k_283 * p_10_8 + p_10_10);
-  const T t_290 = v_10_4c - (k_274 * p_10_4 - k_269 * p_10_2 - k_279 * p_10_6 + p_10_8 - k_287 * p_10_10);
-  const T t_291 = v_10_6c - (k_275 * p_10_4 - k_270 * p_10_2 - k_280 * p_10_6 - k_284 * p_10_8 + k_288 * p_10_10);
-  const T t_292 = v_10_8c - (k_271 * p_10_2 + p_10_4 + p_10_6 + k_285 * p_10_8 - k_289 * p_10_10);
-  const T t_293 = v_10_10c - (p_10_2 - k_276 * p_10_4 - k_281 * p_10_6 - k_286 * p_10_8 + k_290 * p_10_10);
-  const T t_294 = k_291 * q_10_2 - k_295 * q_10_4 - k_298 * q_10_6 - k_302 * q_10_8 + q_10_10;
-  const T t_295 = k_292 * q_10_2 - k_296 * q_10_4 - k_299 * q_10_6 - k_30 * q_10_8 - k_305 * q_10_10;
-  const T t_296 = k_293 * q_10_2 - k_293 * q_10_4 + k_300 * q_10_6 + q_10_8 + k_306 * q_10_10;
-  const T t_297 = k_294 * q_10_2 - k_297 * q_10_4 + q_10_6 - k_303 * q_10_8 - k_307 * q_10_10;
-  const T t_298 = q_10_2 + q_10_4 - k_301 * q_10_6 + k_304 * q_10_8 + k_308 * q_10_10;
-  const T t_299 = k_328 * v_10_8s;
-  const T t_300 = k_325 * v_10_2s + k_326 * v_10_4s + k_327 * v_10_6s + t_299 + v_10_10s;
-  const T t_301 = v_10_10s - k_329 * v_10_2s - k_330 * v_10_4s - k_331 * v_10_6s - t_299;
-  const T t_302 = k_334 * v_10_6s - k_332 * v_10_2s - k_333 * v_10_4s + v_10_8s - k_335 * v_10_10s;
-  const T t_303 = v_10_6s - k_336 * v_10_2s - k_337 * v_10_4s - k_338 * v_10_8s + k_339 * v_10_10s;
-  const T t_304 = v_10_4s - k_340 * v_10_2s - k_341 * v_10_6s + k_342 * v_10_8s - k_343 * v_10_10s;
-  const T t_305 = k_345 * v_10_3s - k_344 * v_10_1s + v_10_5s + k_346 * v_10_7s;
-  const T t_306 = k_348 * v_10_3s - k_347 * v_10_1s + k_349 * v_10_7s + v_10_9s;
-  const T t_307 = v_10_1s + k_350 * t_305 + k_351 * t_306;
-  const T t_308 = v_10_3s + k_352 * t_305 - k_353 * t_306;
-  const T t_309 = v_10_5s - k_354 * t_305 + k_355 * t_306;
-  const T t_310 = v_10_7s - k_356 * t_305 - k_357 * t_306;
-  const T t_311 = v_10_9s + k_355 * t_305 - k_358 * t_306;
-  const T t_312 = k_359 * sin_b;
-  const T p_10_1 = k_323 * cos_b * t_300 + t_312 * t_307;
-  const T q_10_1 = t_312 * t_300 - cos_b * t_307;
-  const T t_313 = k_355 * sin_3b;
-  const T p_10_3 = k_360 * cos_3b * t_301 - t_313 * t_308;
-  const T q_10_3 = t_313 * t_301 + cos_3b * t_308;
-  const T t_314 = k_361 * sin_5b;
-  const T p_10_5 = k_320 * cos_5b * t_302 - t_314 * t_309;
-  const T q_10_5 = t_314 * t_302 + cos_5b * t_309;
-  const T t_315 = k_362 * sin_7b;
-  const T p_10_7 = k_317 * cos_7b * t_303 - t_315 * t_310;
-  const T q_10_7 = t_315 * t_303 + cos_7b * t_310;
-  const T t_316 = k_363 * sin_9b;
-  const T p_10_9 = k_314 * cos_9b * t_304 - t_316 * t_311;
-  const T q_10_9 = t_316 * t_304 + cos_9b * t_311;
-  const T t_317 = k_325 * p_10_1 - k_329 * p_10_3 - k_332 * p_10_5 - k_336 * p_10_7 - k_340 * p_10_9;
-  const T t_318 = k_326 * p_10_1 - k_330 * p_10_3 - k_333 * p_10_5 - k_337 * p_10_7 + p_10_9;
-  const T t_319 = k_327 * p_10_1 - k_331 * p_10_3 + k_334 * p_10_5 + p_10_7 - k_341 * p_10_9;
-  const T t_320 = k_328 * p_10_1 - k_328 * p_10_3 + p_10_5 - k_338 * p_10_7 + k_342 * p_10_9;
-  const T t_321 = p_10_1 + p_10_3 - k_335 * p_10_5 + k_339 * p_10_7 - k_343 * p_10_9;
-  const T t_322 = k_344 * q_10_1 + k_345 * q_10_3 + q_10_5 + k_346 * q_10_7;
-  const T t_323 = k_347 * q_10_1 + k_348 * q_10_3 + k_349 * q_10_7 + q_10_9;
-  const T t_324 = q_10_1 - k_350 * t_322 - k_351 * t_323;
-  const T t_325 = k_353 * t_323 - q_10_3 - k_352 * t_322;
-  const T t_326 = k_354 * t_322 - q_10_5 - k_355 * t_323;
-  const T t_327 = k_356 * t_322 - q_10_7 + k_357 * t_323;
-  const T t_328 = k_358 * t_323 - q_10_9 - k_355 * t_322;
-  out[111] = cos_a * t_294 + sin_a * t_324;                                                                // l=10 m=1
-  out[109] = sin_a * t_294 - cos_a * t_324;                                                                // l=10 m=-1
-  out[112] = cos_2a * t_289 - sin_2a * t_317;                                                              // l=10 m=2
-  out[108] = sin_2a * t_289 + cos_2a * t_317;                                                              // l=10 m=-2
-  out[113] = cos_3a * t_295 + sin_3a * t_325;                                                              // l=10 m=3
-  out[107] = sin_3a * t_295 - cos_3a * t_325;                                                              // l=10 m=-3
-  out[114] = cos_4a * t_290 - sin_4a * t_318;                                                              // l=10 m=4
-  out[106] = sin_4a * t_290 + cos_4a * t_318;                                                              // l=10 m=-4
-  out[115] = cos_5a * t_296 + sin_5a * t_326;                                                              // l=10 m=5
-  out[105] = sin_5a * t_296 - cos_5a * t_326;                                                              // l=10 m=-5
-  out[116] = cos_6a * t_291 - sin_6a * t_319;                                                              // l=10 m=6
-  out[104] = sin_6a * t_291 + cos_6a * t_319;                                                              // l=10 m=-6
-  out[117] = cos_7a * t_297 + sin_7a * t_327;                                                              // l=10 m=7
-  out[103] = sin_7a * t_297 - cos_7a * t_327;                                                              // l=10 m=-7
-  out[118] = cos_8a * t_292 - sin_8a * t_320;                                                              // l=10 m=8
-  out[102] = sin_8a * t_292 + cos_8a * t_320;                                                              // l=10 m=-8
-  out[119] = cos_9a * t_298 + sin_9a * t_328;                                                              // l=10 m=9
-  out[101] = sin_9a * t_298 - cos_9a * t_328;                                                              // l=10 m=-9
-  out[120] = cos_10a * t_293 - sin_10a * t_321;                                                            // l=10 m=10
-  out[100] = sin_10a * t_293 + cos_10a * t_321;                                                            // l=10 m=-10
+  const T t_290 = v_10_2c - (k_278 * p_10_6 - k_268 * p_10_2 - k_273 * p_10_4 + k_283 * p_10_8 + p_10_10);
+  const T t_291 = v_10_4c - (k_274 * p_10_4 - k_269 * p_10_2 - k_279 * p_10_6 + p_10_8 - k_287 * p_10_10);
+  const T t_292 = v_10_6c - (k_275 * p_10_4 - k_270 * p_10_2 - k_280 * p_10_6 - k_284 * p_10_8 + k_288 * p_10_10);
+  const T t_293 = v_10_8c - (k_271 * p_10_2 + p_10_4 + p_10_6 + k_285 * p_10_8 - k_289 * p_10_10);
+  const T t_294 = v_10_10c - (p_10_2 - k_276 * p_10_4 - k_281 * p_10_6 - k_286 * p_10_8 + k_290 * p_10_10);
+  const T t_295 = k_291 * q_10_2 - k_295 * q_10_4 - k_298 * q_10_6 - k_302 * q_10_8 + q_10_10;
+  const T t_296 = k_292 * q_10_2 - k_296 * q_10_4 - k_299 * q_10_6 - k_30 * q_10_8 - k_305 * q_10_10;
+  const T t_297 = k_293 * q_10_2 - k_293 * q_10_4 + k_300 * q_10_6 + q_10_8 + k_306 * q_10_10;
+  const T t_298 = k_294 * q_10_2 - k_297 * q_10_4 + q_10_6 - k_303 * q_10_8 - k_307 * q_10_10;
+  const T t_299 = q_10_2 + q_10_4 - k_301 * q_10_6 + k_304 * q_10_8 + k_308 * q_10_10;
+  const T t_300 = k_328 * v_10_8s;
+  const T t_301 = k_325 * v_10_2s + k_326 * v_10_4s + k_327 * v_10_6s + t_300 + v_10_10s;
+  const T t_302 = v_10_10s - k_329 * v_10_2s - k_330 * v_10_4s - k_331 * v_10_6s - t_300;
+  const T t_303 = k_334 * v_10_6s - k_332 * v_10_2s - k_333 * v_10_4s + v_10_8s - k_335 * v_10_10s;
+  const T t_304 = v_10_6s - k_336 * v_10_2s - k_337 * v_10_4s - k_338 * v_10_8s + k_339 * v_10_10s;
+  const T t_305 = v_10_4s - k_340 * v_10_2s - k_341 * v_10_6s + k_342 * v_10_8s - k_343 * v_10_10s;
+  const T t_306 = k_345 * v_10_3s - k_344 * v_10_1s + v_10_5s + k_346 * v_10_7s;
+  const T t_307 = k_348 * v_10_3s - k_347 * v_10_1s + k_349 * v_10_7s + v_10_9s;
+  const T t_308 = v_10_1s + k_350 * t_306 + k_351 * t_307;
+  const T t_309 = v_10_3s + k_352 * t_306 - k_353 * t_307;
+  const T t_310 = v_10_5s - k_354 * t_306 + k_355 * t_307;
+  const T t_311 = v_10_7s - k_356 * t_306 - k_357 * t_307;
+  const T t_312 = v_10_9s + k_355 * t_306 - k_358 * t_307;
+  const T t_313 = k_359 * sin_b;
+  const T p_10_1 = k_323 * cos_b * t_301 + t_313 * t_308;
+  const T q_10_1 = t_313 * t_301 - cos_b * t_308;
+  const T t_314 = k_355 * sin_3b;
+  const T p_10_3 = k_360 * cos_3b * t_302 - t_314 * t_309;
+  const T q_10_3 = t_314 * t_302 + cos_3b * t_309;
+  const T t_315 = k_361 * sin_5b;
+  const T p_10_5 = k_320 * cos_5b * t_303 - t_315 * t_310;
+  const T q_10_5 = t_315 * t_303 + cos_5b * t_310;
+  const T t_316 = k_362 * sin_7b;
+  const T p_10_7 = k_317 * cos_7b * t_304 - t_316 * t_311;
+  const T q_10_7 = t_316 * t_304 + cos_7b * t_311;
+  const T t_317 = k_363 * sin_9b;
+  const T p_10_9 = k_314 * cos_9b * t_305 - t_317 * t_312;
+  const T q_10_9 = t_317 * t_305 + cos_9b * t_312;
+  const T t_318 = k_325 * p_10_1 - k_329 * p_10_3 - k_332 * p_10_5 - k_336 * p_10_7 - k_340 * p_10_9;
+  const T t_319 = k_326 * p_10_1 - k_330 * p_10_3 - k_333 * p_10_5 - k_337 * p_10_7 + p_10_9;
+  const T t_320 = k_327 * p_10_1 - k_331 * p_10_3 + k_334 * p_10_5 + p_10_7 - k_341 * p_10_9;
+  const T t_321 = k_328 * p_10_1 - k_328 * p_10_3 + p_10_5 - k_338 * p_10_7 + k_342 * p_10_9;
+  const T t_322 = p_10_1 + p_10_3 - k_335 * p_10_5 + k_339 * p_10_7 - k_343 * p_10_9;
+  const T t_323 = k_344 * q_10_1 + k_345 * q_10_3 + q_10_5 + k_346 * q_10_7;
+  const T t_324 = k_347 * q_10_1 + k_348 * q_10_3 + k_349 * q_10_7 + q_10_9;
+  const T t_325 = q_10_1 - k_350 * t_323 - k_351 * t_324;
+  const T t_326 = k_353 * t_324 - q_10_3 - k_352 * t_323;
+  const T t_327 = k_354 * t_323 - q_10_5 - k_355 * t_324;
+  const T t_328 = k_356 * t_323 - q_10_7 + k_357 * t_324;
+  const T t_329 = k_358 * t_324 - q_10_9 - k_355 * t_323;
+  out[111] = cos_a * t_295 + sin_a * t_325;                                                                // l=10 m=1
+  out[109] = sin_a * t_295 - cos_a * t_325;                                                                // l=10 m=-1
+  out[112] = cos_2a * t_290 - sin_2a * t_318;                                                              // l=10 m=2
+  out[108] = sin_2a * t_290 + cos_2a * t_318;                                                              // l=10 m=-2
+  out[113] = cos_3a * t_296 + sin_3a * t_326;                                                              // l=10 m=3
+  out[107] = sin_3a * t_296 - cos_3a * t_326;                                                              // l=10 m=-3
+  out[114] = cos_4a * t_291 - sin_4a * t_319;                                                              // l=10 m=4
+  out[106] = sin_4a * t_291 + cos_4a * t_319;                                                              // l=10 m=-4
+  out[115] = cos_5a * t_297 + sin_5a * t_327;                                                              // l=10 m=5
+  out[105] = sin_5a * t_297 - cos_5a * t_327;                                                              // l=10 m=-5
+  out[116] = cos_6a * t_292 - sin_6a * t_320;                                                              // l=10 m=6
+  out[104] = sin_6a * t_292 + cos_6a * t_320;                                                              // l=10 m=-6
+  out[117] = cos_7a * t_298 + sin_7a * t_328;                                                              // l=10 m=7
+  out[103] = sin_7a * t_298 - cos_7a * t_328;                                                              // l=10 m=-7
+  out[118] = cos_8a * t_293 - sin_8a * t_321;                                                              // l=10 m=8
+  out[102] = sin_8a * t_293 + cos_8a * t_321;                                                              // l=10 m=-8
+  out[119] = cos_9a * t_299 + sin_9a * t_329;                                                              // l=10 m=9
+  out[101] = sin_9a * t_299 - cos_9a * t_329;                                                              // l=10 m=-9
+  out[120] = cos_10a * t_294 - sin_10a * t_322;                                                            // l=10 m=10
+  out[100] = sin_10a * t_294 + cos_10a * t_322;                                                            // l=10 m=-10
 }
 
 }  // namespace sh

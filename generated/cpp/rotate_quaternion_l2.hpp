@@ -10,7 +10,7 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         64 multiplications, 32 additions, 1 divisions, 1 square roots, 6 selections; longest chain 18; at most
+// Cost:         63 multiplications, 33 additions, 1 divisions, 1 square roots, 6 selections; longest chain 19; at most
 //               22 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 1.4e-06 (12.0 eps)
@@ -87,8 +87,6 @@ constexpr void rotate_quaternion_l2(const T* q, const T* c, T* out) noexcept {
   const T tiny = detail::constant<T>(1.9721523e-31f, 1.9721522630525295e-31);  // 1/5070602400912917605986812821504
   const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
   const T zero = detail::constant<T>(0.0f, 0.0);                               // 0
-  const T two  = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T half = detail::constant<T>(0.5f, 0.5);                               // 1/2
   const T k    = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
   const T k_2  = detail::constant<T>(6.0f, 6.0);                               // 6
   const T k_3  = detail::constant<T>(1.7320508f, 1.7320508075688772);          // sqrt(3)
@@ -101,8 +99,8 @@ constexpr void rotate_quaternion_l2(const T* q, const T* c, T* out) noexcept {
   const T a_im = detail::choose(aa < tiny, zero, q[3]);
   const T b_re = detail::choose(bb < tiny, one, q[2]);
   const T b_im = detail::choose(bb < tiny, zero, q[1]);
-  const T inv2 = two / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
-  const T inv = detail::square_root<T>(half * inv2);
+  const T inv_sq = one / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
+  const T inv = detail::square_root<T>(inv_sq);
   const T t = a_re * b_re;
   const T t_2 = a_im * b_im;
   const T t_3 = a_im * b_re;
@@ -111,19 +109,20 @@ constexpr void rotate_quaternion_l2(const T* q, const T* c, T* out) noexcept {
   const T t_6 = t_3 - t_4;
   const T cos_a = t_5 * inv;
   const T sin_a = t_6 * inv;
-  const T t_7 = t_6 * inv2;
-  const T sin_2a = t_7 * t_5;
-  const T cos_2a = one - t_7 * t_6;
-  const T t_8 = t - t_2;
-  const T t_9 = t_3 + t_4;
-  const T cos_g = t_8 * inv;
-  const T sin_g = t_9 * inv;
-  const T t_10 = t_9 * inv2;
-  const T sin_2g = t_10 * t_8;
-  const T cos_2g = one - t_10 * t_9;
-  const T t_11 = aa * bb;
-  const T t_12 = t_11 * inv;
-  const T sin_b = t_12 + t_12;
+  const T t_7 = inv_sq + inv_sq;
+  const T t_8 = t_6 * t_7;
+  const T sin_2a = t_8 * t_5;
+  const T cos_2a = one - t_8 * t_6;
+  const T t_9 = t - t_2;
+  const T t_10 = t_3 + t_4;
+  const T cos_g = t_9 * inv;
+  const T sin_g = t_10 * inv;
+  const T t_11 = t_10 * t_7;
+  const T sin_2g = t_11 * t_9;
+  const T cos_2g = one - t_11 * t_10;
+  const T t_12 = aa * bb;
+  const T t_13 = t_12 * inv;
+  const T sin_b = t_13 + t_13;
   const T cos_b = aa - bb;
   const T c3 = c[3];
   const T c1 = c[1];
@@ -143,18 +142,18 @@ constexpr void rotate_quaternion_l2(const T* q, const T* c, T* out) noexcept {
   const T v_2_2c = cos_2g * c8 - sin_2g * c4;
   const T v_2_2s = sin_2g * c8 + cos_2g * c4;
   const T c6 = c[6];
-  const T t_13 = c6 - k * v_2_2c;
-  const T t_14 = k_3 * sin_b * cos_b;
-  const T p_2_2 = k_2 * t_11 * t_13 + t_14 * v_2_1c;
-  const T q_2_2 = t_14 * t_13 + (one - k_4 * t_11) * v_2_1c;
+  const T t_14 = c6 - k * v_2_2c;
+  const T t_15 = k_3 * sin_b * cos_b;
+  const T p_2_2 = k_2 * t_12 * t_14 + t_15 * v_2_1c;
+  const T q_2_2 = t_15 * t_14 + (one - k_4 * t_12) * v_2_1c;
   out[6] = c6 - p_2_2;                      // l=2 m=0
-  const T t_15 = v_2_2c + k * p_2_2;
+  const T t_16 = v_2_2c + k * p_2_2;
   const T p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
   const T q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
   out[7] = cos_a * q_2_2 - sin_a * q_2_1;   // l=2 m=1
   out[5] = sin_a * q_2_2 + cos_a * q_2_1;   // l=2 m=-1
-  out[8] = cos_2a * t_15 - sin_2a * p_2_1;  // l=2 m=2
-  out[4] = sin_2a * t_15 + cos_2a * p_2_1;  // l=2 m=-2
+  out[8] = cos_2a * t_16 - sin_2a * p_2_1;  // l=2 m=2
+  out[4] = sin_2a * t_16 + cos_2a * p_2_1;  // l=2 m=-2
 }
 
 }  // namespace sh

@@ -10,7 +10,7 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         124 multiplications, 67 additions, 1 divisions, 1 square roots, 6 selections; longest chain 21; at most
+// Cost:         123 multiplications, 68 additions, 1 divisions, 1 square roots, 6 selections; longest chain 22; at most
 //               36 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 2.2e-06 (20.2 eps)
@@ -88,7 +88,6 @@ constexpr void rotate_quaternion_l3(const T* q, const T* c, T* out) noexcept {
   const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
   const T zero = detail::constant<T>(0.0f, 0.0);                               // 0
   const T two  = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T half = detail::constant<T>(0.5f, 0.5);                               // 1/2
   const T k    = detail::constant<T>(8.0f, 8.0);                               // 8
   const T k_2  = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
   const T k_3  = detail::constant<T>(6.0f, 6.0);                               // 6
@@ -108,44 +107,45 @@ constexpr void rotate_quaternion_l3(const T* q, const T* c, T* out) noexcept {
   const T bb = q[1] * q[1] + q[2] * q[2];
   const T b_re = detail::choose(bb < tiny, one, q[2]);
   const T b_im = detail::choose(bb < tiny, zero, q[1]);
-  const T inv2 = two / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
-  const T inv = detail::square_root<T>(half * inv2);
-  const T t = a_re * b_re;
-  const T t_2 = a_im * b_re;
-  const T t_3 = a_im * b_im;
-  const T t_4 = a_re * b_im;
-  const T t_5 = t + t_3;
-  const T t_6 = t - t_3;
+  const T inv_sq = one / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
+  const T inv = detail::square_root<T>(inv_sq);
+  const T t = inv_sq + inv_sq;
+  const T t_2 = a_re * b_re;
+  const T t_3 = a_im * b_re;
+  const T t_4 = a_im * b_im;
+  const T t_5 = a_re * b_im;
+  const T t_6 = t_2 + t_4;
   const T t_7 = t_2 - t_4;
-  const T t_8 = t_2 + t_4;
-  const T cos_a = t_5 * inv;
-  const T sin_a = t_7 * inv;
-  const T t_9 = t_7 * inv2;
-  const T t_10 = t_9 * t_7;
-  const T sin_2a = t_9 * t_5;
-  const T t_11 = t_8 * inv2;
-  const T cos_2a = one - t_10;
-  const T t_12 = cos_2a - t_10;
-  const T cos_3a = cos_a * t_12;
-  const T sin_3a = sin_a * (t_12 + two);
-  const T cos_g = t_6 * inv;
-  const T sin_2g = t_11 * t_6;
-  const T t_13 = t_11 * t_8;
-  const T sin_g = t_8 * inv;
-  const T cos_2g = one - t_13;
-  const T t_14 = cos_2g - t_13;
-  const T cos_3g = cos_g * t_14;
-  const T sin_3g = sin_g * (t_14 + two);
-  const T t_15 = aa * bb;
+  const T t_8 = t_3 - t_5;
+  const T t_9 = t_3 + t_5;
+  const T cos_a = t_6 * inv;
+  const T sin_a = t_8 * inv;
+  const T t_10 = t_8 * t;
+  const T t_11 = t_10 * t_8;
+  const T sin_2a = t_10 * t_6;
+  const T t_12 = t_9 * t;
+  const T cos_2a = one - t_11;
+  const T t_13 = cos_2a - t_11;
+  const T cos_3a = cos_a * t_13;
+  const T sin_3a = sin_a * (t_13 + two);
+  const T cos_g = t_7 * inv;
+  const T sin_2g = t_12 * t_7;
+  const T t_14 = t_12 * t_9;
+  const T sin_g = t_9 * inv;
+  const T cos_2g = one - t_14;
+  const T t_15 = cos_2g - t_14;
+  const T cos_3g = cos_g * t_15;
+  const T sin_3g = sin_g * (t_15 + two);
+  const T t_16 = aa * bb;
   const T cos_b = aa - bb;
-  const T t_16 = t_15 * inv;
-  const T sin_b = t_16 + t_16;
-  const T t_17 = sin_b * cos_b;
-  const T t_18 = k * t_15;
-  const T cos_2b = one - t_18;
-  const T t_19 = cos_2b - t_18;
-  const T cos_3b = cos_b * t_19;
-  const T t_20 = k_8 * sin_b * (t_19 + two);
+  const T t_17 = t_16 * inv;
+  const T sin_b = t_17 + t_17;
+  const T t_18 = sin_b * cos_b;
+  const T t_19 = k * t_16;
+  const T cos_2b = one - t_19;
+  const T t_20 = cos_2b - t_19;
+  const T cos_3b = cos_b * t_20;
+  const T t_21 = k_8 * sin_b * (t_20 + two);
   const T c3 = c[3];
   const T c1 = c[1];
   const T v_1_1c = cos_g * c3 - sin_g * c1;
@@ -164,20 +164,20 @@ constexpr void rotate_quaternion_l3(const T* q, const T* c, T* out) noexcept {
   const T v_2_2c = cos_2g * c8 - sin_2g * c4;
   const T v_2_2s = sin_2g * c8 + cos_2g * c4;
   const T c6 = c[6];
-  const T t_21 = c6 - k_2 * v_2_2c;
-  const T t_22 = k_4 * t_17;
-  const T p_2_2 = k_3 * t_15 * t_21 + t_22 * v_2_1c;
+  const T t_22 = c6 - k_2 * v_2_2c;
+  const T t_23 = k_4 * t_18;
+  const T p_2_2 = k_3 * t_16 * t_22 + t_23 * v_2_1c;
   out[6] = c6 - p_2_2;                       // l=2 m=0
-  const T q_2_2 = t_22 * t_21 + cos_2b * v_2_1c;
-  const T t_23 = v_2_2c + k_2 * p_2_2;
-  const T t_24 = k_11 * t_17;
+  const T q_2_2 = t_23 * t_22 + cos_2b * v_2_1c;
+  const T t_24 = v_2_2c + k_2 * p_2_2;
+  const T t_25 = k_11 * t_18;
   const T p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
   const T q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
-  const T t_25 = k_8 * sin_b;
+  const T t_26 = k_8 * sin_b;
   out[7] = cos_a * q_2_2 - sin_a * q_2_1;    // l=2 m=1
   out[5] = sin_a * q_2_2 + cos_a * q_2_1;    // l=2 m=-1
-  out[8] = cos_2a * t_23 - sin_2a * p_2_1;   // l=2 m=2
-  out[4] = sin_2a * t_23 + cos_2a * p_2_1;   // l=2 m=-2
+  out[8] = cos_2a * t_24 - sin_2a * p_2_1;   // l=2 m=2
+  out[4] = sin_2a * t_24 + cos_2a * p_2_1;   // l=2 m=-2
   const T c13 = c[13];
   const T c11 = c[11];
   const T v_3_1c = cos_g * c13 - sin_g * c11;
@@ -190,30 +190,30 @@ constexpr void rotate_quaternion_l3(const T* q, const T* c, T* out) noexcept {
   const T c9 = c[9];
   const T v_3_3c = cos_3g * c15 - sin_3g * c9;
   const T v_3_3s = sin_3g * c15 + cos_3g * c9;
-  const T t_26 = k_5 * v_3_1c + v_3_3c;
-  const T t_27 = v_3_1c - k_5 * v_3_3c;
+  const T t_27 = k_5 * v_3_1c + v_3_3c;
+  const T t_28 = v_3_1c - k_5 * v_3_3c;
   const T c12 = c[12];
-  const T t_28 = k_6 * c12 + v_3_2c;
-  const T t_29 = c12 - k_6 * v_3_2c;
-  const T p_3_1 = k_7 * cos_b * t_26 + t_25 * t_28;
-  const T q_3_1 = k_9 * cos_b * t_28 - t_25 * t_26;
-  const T p_3_3 = k_7 * cos_3b * t_27 + t_20 * t_29;
-  const T q_3_3 = k_9 * cos_3b * t_29 - t_20 * t_27;
-  const T t_30 = k_5 * p_3_1 + p_3_3;
-  const T t_31 = p_3_1 - k_5 * p_3_3;
+  const T t_29 = k_6 * c12 + v_3_2c;
+  const T t_30 = c12 - k_6 * v_3_2c;
+  const T p_3_1 = k_7 * cos_b * t_27 + t_26 * t_29;
+  const T q_3_1 = k_9 * cos_b * t_29 - t_26 * t_27;
+  const T p_3_3 = k_7 * cos_3b * t_28 + t_21 * t_30;
+  const T q_3_3 = k_9 * cos_3b * t_30 - t_21 * t_28;
+  const T t_31 = k_5 * p_3_1 + p_3_3;
+  const T t_32 = p_3_1 - k_5 * p_3_3;
   out[12] = k_6 * q_3_1 + q_3_3;             // l=3 m=0
-  const T t_32 = q_3_1 - k_6 * q_3_3;
-  const T t_33 = v_3_1s - k_6 * v_3_3s;
-  const T p_3_2 = k_10 * t_15 * t_33 + t_24 * v_3_2s;
-  const T q_3_2 = t_24 * t_33 + cos_2b * v_3_2s;
-  const T t_34 = v_3_1s - p_3_2;
-  const T t_35 = v_3_3s + k_6 * p_3_2;
-  out[13] = cos_a * t_30 - sin_a * t_34;     // l=3 m=1
-  out[11] = sin_a * t_30 + cos_a * t_34;     // l=3 m=-1
-  out[14] = cos_2a * t_32 - sin_2a * q_3_2;  // l=3 m=2
-  out[10] = sin_2a * t_32 + cos_2a * q_3_2;  // l=3 m=-2
-  out[15] = cos_3a * t_31 - sin_3a * t_35;   // l=3 m=3
-  out[9] = sin_3a * t_31 + cos_3a * t_35;    // l=3 m=-3
+  const T t_33 = q_3_1 - k_6 * q_3_3;
+  const T t_34 = v_3_1s - k_6 * v_3_3s;
+  const T p_3_2 = k_10 * t_16 * t_34 + t_25 * v_3_2s;
+  const T q_3_2 = t_25 * t_34 + cos_2b * v_3_2s;
+  const T t_35 = v_3_1s - p_3_2;
+  const T t_36 = v_3_3s + k_6 * p_3_2;
+  out[13] = cos_a * t_31 - sin_a * t_35;     // l=3 m=1
+  out[11] = sin_a * t_31 + cos_a * t_35;     // l=3 m=-1
+  out[14] = cos_2a * t_33 - sin_2a * q_3_2;  // l=3 m=2
+  out[10] = sin_2a * t_33 + cos_2a * q_3_2;  // l=3 m=-2
+  out[15] = cos_3a * t_32 - sin_3a * t_36;   // l=3 m=3
+  out[9] = sin_3a * t_32 + cos_3a * t_36;    // l=3 m=-3
 }
 
 }  // namespace sh

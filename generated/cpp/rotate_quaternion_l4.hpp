@@ -10,7 +10,7 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         210 multiplications, 120 additions, 1 divisions, 1 square roots, 6 selections; longest chain 24; at
+// Cost:         209 multiplications, 121 additions, 1 divisions, 1 square roots, 6 selections; longest chain 25; at
 //               most 51 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 2.5e-06 (27.4 eps)
@@ -88,7 +88,6 @@ constexpr void rotate_quaternion_l4(const T* q, const T* c, T* out) noexcept {
   const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
   const T zero = detail::constant<T>(0.0f, 0.0);                               // 0
   const T two  = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T half = detail::constant<T>(0.5f, 0.5);                               // 1/2
   const T k    = detail::constant<T>(8.0f, 8.0);                               // 8
   const T k_2  = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
   const T k_3  = detail::constant<T>(6.0f, 6.0);                               // 6
@@ -122,8 +121,8 @@ constexpr void rotate_quaternion_l4(const T* q, const T* c, T* out) noexcept {
   const T a_im = detail::choose(aa < tiny, zero, q[3]);
   const T b_re = detail::choose(bb < tiny, one, q[2]);
   const T b_im = detail::choose(bb < tiny, zero, q[1]);
-  const T inv2 = two / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
-  const T inv = detail::square_root<T>(half * inv2);
+  const T inv_sq = one / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
+  const T inv = detail::square_root<T>(inv_sq);
   const T t = a_re * b_re;
   const T t_2 = a_im * b_im;
   const T t_3 = a_im * b_re;
@@ -132,41 +131,42 @@ constexpr void rotate_quaternion_l4(const T* q, const T* c, T* out) noexcept {
   const T t_6 = t_3 - t_4;
   const T cos_a = t_5 * inv;
   const T sin_a = t_6 * inv;
-  const T t_7 = t_6 * inv2;
-  const T t_8 = t_7 * t_6;
-  const T sin_2a = t_7 * t_5;
-  const T cos_2a = one - t_8;
-  const T t_9 = cos_2a - t_8;
-  const T cos_3a = cos_a * t_9;
-  const T sin_3a = sin_a * (t_9 + two);
-  const T t_10 = cos_a + cos_a;
-  const T cos_4a = t_10 * cos_3a - cos_2a;
-  const T sin_4a = t_10 * sin_3a - sin_2a;
-  const T t_11 = t - t_2;
-  const T t_12 = t_3 + t_4;
-  const T cos_g = t_11 * inv;
-  const T sin_g = t_12 * inv;
-  const T t_13 = t_12 * inv2;
-  const T t_14 = t_13 * t_12;
-  const T sin_2g = t_13 * t_11;
-  const T cos_2g = one - t_14;
-  const T t_15 = cos_2g - t_14;
-  const T cos_3g = cos_g * t_15;
-  const T sin_3g = sin_g * (t_15 + two);
-  const T t_16 = cos_g + cos_g;
-  const T cos_4g = t_16 * cos_3g - cos_2g;
-  const T sin_4g = t_16 * sin_3g - sin_2g;
-  const T t_17 = aa * bb;
-  const T t_18 = t_17 * inv;
-  const T sin_b = t_18 + t_18;
+  const T t_7 = inv_sq + inv_sq;
+  const T t_8 = t_6 * t_7;
+  const T t_9 = t_8 * t_6;
+  const T sin_2a = t_8 * t_5;
+  const T cos_2a = one - t_9;
+  const T t_10 = cos_2a - t_9;
+  const T cos_3a = cos_a * t_10;
+  const T sin_3a = sin_a * (t_10 + two);
+  const T t_11 = cos_a + cos_a;
+  const T cos_4a = t_11 * cos_3a - cos_2a;
+  const T sin_4a = t_11 * sin_3a - sin_2a;
+  const T t_12 = t - t_2;
+  const T t_13 = t_3 + t_4;
+  const T cos_g = t_12 * inv;
+  const T sin_g = t_13 * inv;
+  const T t_14 = t_13 * t_7;
+  const T t_15 = t_14 * t_13;
+  const T sin_2g = t_14 * t_12;
+  const T cos_2g = one - t_15;
+  const T t_16 = cos_2g - t_15;
+  const T cos_3g = cos_g * t_16;
+  const T sin_3g = sin_g * (t_16 + two);
+  const T t_17 = cos_g + cos_g;
+  const T cos_4g = t_17 * cos_3g - cos_2g;
+  const T sin_4g = t_17 * sin_3g - sin_2g;
+  const T t_18 = aa * bb;
+  const T t_19 = t_18 * inv;
+  const T sin_b = t_19 + t_19;
   const T cos_b = aa - bb;
-  const T t_19 = sin_b * cos_b;
-  const T t_20 = k * t_17;
-  const T cos_2b = one - t_20;
-  const T t_21 = cos_2b - t_20;
-  const T cos_3b = cos_b * t_21;
-  const T sin_3b = sin_b * (t_21 + two);
-  const T t_22 = t_19 * t_19;
+  const T t_20 = sin_b * cos_b;
+  const T t_21 = k * t_18;
+  const T cos_2b = one - t_21;
+  const T t_22 = cos_2b - t_21;
+  const T cos_3b = cos_b * t_22;
+  const T sin_3b = sin_b * (t_22 + two);
+  const T t_23 = t_20 * t_20;
   const T c3 = c[3];
   const T c1 = c[1];
   const T v_1_1c = cos_g * c3 - sin_g * c1;
@@ -185,18 +185,18 @@ constexpr void rotate_quaternion_l4(const T* q, const T* c, T* out) noexcept {
   const T v_2_2c = cos_2g * c8 - sin_2g * c4;
   const T v_2_2s = sin_2g * c8 + cos_2g * c4;
   const T c6 = c[6];
-  const T t_23 = c6 - k_2 * v_2_2c;
-  const T t_24 = k_4 * t_19;
-  const T p_2_2 = k_3 * t_17 * t_23 + t_24 * v_2_1c;
-  const T q_2_2 = t_24 * t_23 + cos_2b * v_2_1c;
+  const T t_24 = c6 - k_2 * v_2_2c;
+  const T t_25 = k_4 * t_20;
+  const T p_2_2 = k_3 * t_18 * t_24 + t_25 * v_2_1c;
+  const T q_2_2 = t_25 * t_24 + cos_2b * v_2_1c;
   out[6] = c6 - p_2_2;                       // l=2 m=0
-  const T t_25 = v_2_2c + k_2 * p_2_2;
+  const T t_26 = v_2_2c + k_2 * p_2_2;
   const T p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
   const T q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
   out[7] = cos_a * q_2_2 - sin_a * q_2_1;    // l=2 m=1
   out[5] = sin_a * q_2_2 + cos_a * q_2_1;    // l=2 m=-1
-  out[8] = cos_2a * t_25 - sin_2a * p_2_1;   // l=2 m=2
-  out[4] = sin_2a * t_25 + cos_2a * p_2_1;   // l=2 m=-2
+  out[8] = cos_2a * t_26 - sin_2a * p_2_1;   // l=2 m=2
+  out[4] = sin_2a * t_26 + cos_2a * p_2_1;   // l=2 m=-2
   const T c13 = c[13];
   const T c11 = c[11];
   const T v_3_1c = cos_g * c13 - sin_g * c11;
@@ -209,33 +209,33 @@ constexpr void rotate_quaternion_l4(const T* q, const T* c, T* out) noexcept {
   const T c9 = c[9];
   const T v_3_3c = cos_3g * c15 - sin_3g * c9;
   const T v_3_3s = sin_3g * c15 + cos_3g * c9;
-  const T t_26 = k_5 * v_3_1c + v_3_3c;
-  const T t_27 = v_3_1c - k_5 * v_3_3c;
+  const T t_27 = k_5 * v_3_1c + v_3_3c;
+  const T t_28 = v_3_1c - k_5 * v_3_3c;
   const T c12 = c[12];
-  const T t_28 = k_6 * c12 + v_3_2c;
-  const T t_29 = c12 - k_6 * v_3_2c;
-  const T t_30 = k_8 * sin_b;
-  const T p_3_1 = k_7 * cos_b * t_26 + t_30 * t_28;
-  const T q_3_1 = k_9 * cos_b * t_28 - t_30 * t_26;
-  const T t_31 = k_8 * sin_3b;
-  const T p_3_3 = k_7 * cos_3b * t_27 + t_31 * t_29;
-  const T q_3_3 = k_9 * cos_3b * t_29 - t_31 * t_27;
-  const T t_32 = k_5 * p_3_1 + p_3_3;
-  const T t_33 = p_3_1 - k_5 * p_3_3;
+  const T t_29 = k_6 * c12 + v_3_2c;
+  const T t_30 = c12 - k_6 * v_3_2c;
+  const T t_31 = k_8 * sin_b;
+  const T p_3_1 = k_7 * cos_b * t_27 + t_31 * t_29;
+  const T q_3_1 = k_9 * cos_b * t_29 - t_31 * t_27;
+  const T t_32 = k_8 * sin_3b;
+  const T p_3_3 = k_7 * cos_3b * t_28 + t_32 * t_30;
+  const T q_3_3 = k_9 * cos_3b * t_30 - t_32 * t_28;
+  const T t_33 = k_5 * p_3_1 + p_3_3;
+  const T t_34 = p_3_1 - k_5 * p_3_3;
   out[12] = k_6 * q_3_1 + q_3_3;             // l=3 m=0
-  const T t_34 = q_3_1 - k_6 * q_3_3;
-  const T t_35 = v_3_1s - k_6 * v_3_3s;
-  const T t_36 = k_11 * t_19;
-  const T p_3_2 = k_10 * t_17 * t_35 + t_36 * v_3_2s;
-  const T q_3_2 = t_36 * t_35 + cos_2b * v_3_2s;
-  const T t_37 = v_3_1s - p_3_2;
-  const T t_38 = v_3_3s + k_6 * p_3_2;
-  out[13] = cos_a * t_32 - sin_a * t_37;     // l=3 m=1
-  out[11] = sin_a * t_32 + cos_a * t_37;     // l=3 m=-1
-  out[14] = cos_2a * t_34 - sin_2a * q_3_2;  // l=3 m=2
-  out[10] = sin_2a * t_34 + cos_2a * q_3_2;  // l=3 m=-2
-  out[15] = cos_3a * t_33 - sin_3a * t_38;   // l=3 m=3
-  out[9] = sin_3a * t_33 + cos_3a * t_38;    // l=3 m=-3
+  const T t_35 = q_3_1 - k_6 * q_3_3;
+  const T t_36 = v_3_1s - k_6 * v_3_3s;
+  const T t_37 = k_11 * t_20;
+  const T p_3_2 = k_10 * t_18 * t_36 + t_37 * v_3_2s;
+  const T q_3_2 = t_37 * t_36 + cos_2b * v_3_2s;
+  const T t_38 = v_3_1s - p_3_2;
+  const T t_39 = v_3_3s + k_6 * p_3_2;
+  out[13] = cos_a * t_33 - sin_a * t_38;     // l=3 m=1
+  out[11] = sin_a * t_33 + cos_a * t_38;     // l=3 m=-1
+  out[14] = cos_2a * t_35 - sin_2a * q_3_2;  // l=3 m=2
+  out[10] = sin_2a * t_35 + cos_2a * q_3_2;  // l=3 m=-2
+  out[15] = cos_3a * t_34 - sin_3a * t_39;   // l=3 m=3
+  out[9] = sin_3a * t_34 + cos_3a * t_39;    // l=3 m=-3
   const T c21 = c[21];
   const T c19 = c[19];
   const T v_4_1c = cos_g * c21 - sin_g * c19;
@@ -253,43 +253,43 @@ constexpr void rotate_quaternion_l4(const T* q, const T* c, T* out) noexcept {
   const T v_4_4c = cos_4g * c24 - sin_4g * c16;
   const T v_4_4s = sin_4g * c24 + cos_4g * c16;
   const T c20 = c[20];
-  const T t_39 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
-  const T t_40 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
-  const T t_41 = k_16 * v_4_1c + v_4_3c;
-  const T t_42 = v_4_1c - k_16 * v_4_3c;
-  const T t_43 = k_18 * t_19;
-  const T p_4_2 = k_17 * t_17 * t_39 - t_43 * t_41;
-  const T q_4_2 = k_19 * cos_2b * t_41 - t_43 * t_39;
-  const T t_44 = k_21 * t_19 * cos_2b;
-  const T p_4_4 = k_20 * t_22 * t_40 + t_44 * t_42;
-  const T q_4_4 = t_44 * t_40 + (k_19 - k_22 * t_22) * t_42;
+  const T t_40 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
+  const T t_41 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
+  const T t_42 = k_16 * v_4_1c + v_4_3c;
+  const T t_43 = v_4_1c - k_16 * v_4_3c;
+  const T t_44 = k_18 * t_20;
+  const T p_4_2 = k_17 * t_18 * t_40 - t_44 * t_42;
+  const T q_4_2 = k_19 * cos_2b * t_42 - t_44 * t_40;
+  const T t_45 = k_21 * t_20 * cos_2b;
+  const T p_4_4 = k_20 * t_23 * t_41 + t_45 * t_43;
+  const T q_4_4 = t_45 * t_41 + (k_19 - k_22 * t_23) * t_43;
   out[20] = c20 - (p_4_4 - k_12 * p_4_2);    // l=4 m=0
-  const T t_45 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
-  const T t_46 = v_4_4c - (p_4_2 + k_15 * p_4_4);
-  const T t_47 = k_16 * q_4_2 + q_4_4;
-  const T t_48 = q_4_2 - k_16 * q_4_4;
-  const T t_49 = k_16 * v_4_2s + v_4_4s;
-  const T t_50 = v_4_2s - k_16 * v_4_4s;
-  const T t_51 = v_4_1s + k_23 * v_4_3s;
-  const T t_52 = v_4_3s - k_23 * v_4_1s;
-  const T t_53 = k_24 * sin_b;
-  const T p_4_1 = k_19 * cos_b * t_49 + t_53 * t_51;
-  const T q_4_1 = k_25 * cos_b * t_51 - t_53 * t_49;
-  const T t_54 = k_24 * sin_3b;
-  const T p_4_3 = k_19 * cos_3b * t_50 - t_54 * t_52;
-  const T q_4_3 = t_54 * t_50 + k_25 * cos_3b * t_52;
-  const T t_55 = k_16 * p_4_1 + p_4_3;
-  const T t_56 = p_4_1 - k_16 * p_4_3;
-  const T t_57 = q_4_1 - k_23 * q_4_3;
-  const T t_58 = k_23 * q_4_1 + q_4_3;
-  out[21] = cos_a * t_47 - sin_a * t_57;     // l=4 m=1
-  out[19] = sin_a * t_47 + cos_a * t_57;     // l=4 m=-1
-  out[22] = cos_2a * t_45 - sin_2a * t_55;   // l=4 m=2
-  out[18] = sin_2a * t_45 + cos_2a * t_55;   // l=4 m=-2
-  out[23] = cos_3a * t_48 - sin_3a * t_58;   // l=4 m=3
-  out[17] = sin_3a * t_48 + cos_3a * t_58;   // l=4 m=-3
-  out[24] = cos_4a * t_46 - sin_4a * t_56;   // l=4 m=4
-  out[16] = sin_4a * t_46 + cos_4a * t_56;   // l=4 m=-4
+  const T t_46 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
+  const T t_47 = v_4_4c - (p_4_2 + k_15 * p_4_4);
+  const T t_48 = k_16 * q_4_2 + q_4_4;
+  const T t_49 = q_4_2 - k_16 * q_4_4;
+  const T t_50 = k_16 * v_4_2s + v_4_4s;
+  const T t_51 = v_4_2s - k_16 * v_4_4s;
+  const T t_52 = v_4_1s + k_23 * v_4_3s;
+  const T t_53 = v_4_3s - k_23 * v_4_1s;
+  const T t_54 = k_24 * sin_b;
+  const T p_4_1 = k_19 * cos_b * t_50 + t_54 * t_52;
+  const T q_4_1 = k_25 * cos_b * t_52 - t_54 * t_50;
+  const T t_55 = k_24 * sin_3b;
+  const T p_4_3 = k_19 * cos_3b * t_51 - t_55 * t_53;
+  const T q_4_3 = t_55 * t_51 + k_25 * cos_3b * t_53;
+  const T t_56 = k_16 * p_4_1 + p_4_3;
+  const T t_57 = p_4_1 - k_16 * p_4_3;
+  const T t_58 = q_4_1 - k_23 * q_4_3;
+  const T t_59 = k_23 * q_4_1 + q_4_3;
+  out[21] = cos_a * t_48 - sin_a * t_58;     // l=4 m=1
+  out[19] = sin_a * t_48 + cos_a * t_58;     // l=4 m=-1
+  out[22] = cos_2a * t_46 - sin_2a * t_56;   // l=4 m=2
+  out[18] = sin_2a * t_46 + cos_2a * t_56;   // l=4 m=-2
+  out[23] = cos_3a * t_49 - sin_3a * t_59;   // l=4 m=3
+  out[17] = sin_3a * t_49 + cos_3a * t_59;   // l=4 m=-3
+  out[24] = cos_4a * t_47 - sin_4a * t_57;   // l=4 m=4
+  out[16] = sin_4a * t_47 + cos_4a * t_57;   // l=4 m=-4
 }
 
 }  // namespace sh

@@ -10,7 +10,7 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         321 multiplications, 193 additions, 1 divisions, 1 square roots, 6 selections; longest chain 29; at
+// Cost:         320 multiplications, 194 additions, 1 divisions, 1 square roots, 6 selections; longest chain 30; at
 //               most 69 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 2.7e-06 (24.2 eps)
@@ -88,7 +88,6 @@ constexpr void rotate_quaternion_l5(const T* q, const T* c, T* out) noexcept {
   const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
   const T zero = detail::constant<T>(0.0f, 0.0);                               // 0
   const T two  = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T half = detail::constant<T>(0.5f, 0.5);                               // 1/2
   const T k    = detail::constant<T>(8.0f, 8.0);                               // 8
   const T k_2  = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
   const T k_3  = detail::constant<T>(6.0f, 6.0);                               // 6
@@ -146,61 +145,62 @@ constexpr void rotate_quaternion_l5(const T* q, const T* c, T* out) noexcept {
   const T bb = q[1] * q[1] + q[2] * q[2];
   const T b_re = detail::choose(bb < tiny, one, q[2]);
   const T b_im = detail::choose(bb < tiny, zero, q[1]);
-  const T inv2 = two / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
-  const T inv = detail::square_root<T>(half * inv2);
-  const T t = a_re * b_re;
-  const T t_2 = a_im * b_re;
-  const T t_3 = a_im * b_im;
-  const T t_4 = a_re * b_im;
-  const T t_5 = t + t_3;
-  const T t_6 = t - t_3;
+  const T inv_sq = one / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
+  const T inv = detail::square_root<T>(inv_sq);
+  const T t = inv_sq + inv_sq;
+  const T t_2 = a_re * b_re;
+  const T t_3 = a_im * b_re;
+  const T t_4 = a_im * b_im;
+  const T t_5 = a_re * b_im;
+  const T t_6 = t_2 + t_4;
   const T t_7 = t_2 - t_4;
-  const T t_8 = t_2 + t_4;
-  const T cos_a = t_5 * inv;
-  const T sin_a = t_7 * inv;
-  const T t_9 = t_7 * inv2;
-  const T t_10 = t_9 * t_7;
-  const T sin_2a = t_9 * t_5;
-  const T t_11 = t_8 * inv2;
-  const T cos_2a = one - t_10;
-  const T t_12 = cos_2a - t_10;
-  const T cos_3a = cos_a * t_12;
-  const T sin_3a = sin_a * (t_12 + two);
-  const T t_13 = cos_a + cos_a;
-  const T cos_4a = t_13 * cos_3a - cos_2a;
-  const T sin_4a = t_13 * sin_3a - sin_2a;
-  const T cos_5a = t_13 * cos_4a - cos_3a;
-  const T sin_5a = t_13 * sin_4a - sin_3a;
-  const T cos_g = t_6 * inv;
-  const T sin_2g = t_11 * t_6;
-  const T t_14 = t_11 * t_8;
-  const T sin_g = t_8 * inv;
-  const T cos_2g = one - t_14;
-  const T t_15 = cos_2g - t_14;
-  const T cos_3g = cos_g * t_15;
-  const T sin_3g = sin_g * (t_15 + two);
-  const T t_16 = cos_g + cos_g;
-  const T cos_4g = t_16 * cos_3g - cos_2g;
-  const T sin_4g = t_16 * sin_3g - sin_2g;
-  const T cos_5g = t_16 * cos_4g - cos_3g;
-  const T sin_5g = t_16 * sin_4g - sin_3g;
-  const T t_17 = aa * bb;
+  const T t_8 = t_3 - t_5;
+  const T t_9 = t_3 + t_5;
+  const T cos_a = t_6 * inv;
+  const T sin_a = t_8 * inv;
+  const T t_10 = t_8 * t;
+  const T t_11 = t_10 * t_8;
+  const T sin_2a = t_10 * t_6;
+  const T t_12 = t_9 * t;
+  const T cos_2a = one - t_11;
+  const T t_13 = cos_2a - t_11;
+  const T cos_3a = cos_a * t_13;
+  const T sin_3a = sin_a * (t_13 + two);
+  const T t_14 = cos_a + cos_a;
+  const T cos_4a = t_14 * cos_3a - cos_2a;
+  const T sin_4a = t_14 * sin_3a - sin_2a;
+  const T cos_5a = t_14 * cos_4a - cos_3a;
+  const T sin_5a = t_14 * sin_4a - sin_3a;
+  const T cos_g = t_7 * inv;
+  const T sin_2g = t_12 * t_7;
+  const T t_15 = t_12 * t_9;
+  const T sin_g = t_9 * inv;
+  const T cos_2g = one - t_15;
+  const T t_16 = cos_2g - t_15;
+  const T cos_3g = cos_g * t_16;
+  const T sin_3g = sin_g * (t_16 + two);
+  const T t_17 = cos_g + cos_g;
+  const T cos_4g = t_17 * cos_3g - cos_2g;
+  const T sin_4g = t_17 * sin_3g - sin_2g;
+  const T cos_5g = t_17 * cos_4g - cos_3g;
+  const T sin_5g = t_17 * sin_4g - sin_3g;
+  const T t_18 = aa * bb;
   const T cos_b = aa - bb;
-  const T t_18 = t_17 * inv;
-  const T sin_b = t_18 + t_18;
-  const T t_19 = sin_b * cos_b;
-  const T t_20 = k * t_17;
-  const T cos_2b = one - t_20;
-  const T t_21 = cos_2b - t_20;
-  const T t_22 = t_21 + two;
-  const T cos_3b = cos_b * t_21;
-  const T sin_3b = sin_b * t_22;
-  const T t_23 = t_19 * t_19;
-  const T t_24 = t_19 * cos_2b;
-  const T cos_4b = one - k * t_23;
-  const T t_25 = cos_4b + cos_4b;
-  const T cos_5b = cos_b * (t_25 - t_21);
-  const T t_26 = k_26 * sin_b * (t_25 + t_22);
+  const T t_19 = t_18 * inv;
+  const T sin_b = t_19 + t_19;
+  const T t_20 = sin_b * cos_b;
+  const T t_21 = k * t_18;
+  const T cos_2b = one - t_21;
+  const T t_22 = cos_2b - t_21;
+  const T t_23 = t_22 + two;
+  const T cos_3b = cos_b * t_22;
+  const T sin_3b = sin_b * t_23;
+  const T t_24 = t_20 * t_20;
+  const T t_25 = t_20 * cos_2b;
+  const T cos_4b = one - k * t_24;
+  const T t_26 = cos_4b + cos_4b;
+  const T cos_5b = cos_b * (t_26 - t_22);
+  const T t_27 = k_26 * sin_b * (t_26 + t_23);
   const T c3 = c[3];
   const T c1 = c[1];
   const T v_1_1c = cos_g * c3 - sin_g * c1;
@@ -219,18 +219,18 @@ constexpr void rotate_quaternion_l5(const T* q, const T* c, T* out) noexcept {
   const T v_2_2c = cos_2g * c8 - sin_2g * c4;
   const T v_2_2s = sin_2g * c8 + cos_2g * c4;
   const T c6 = c[6];
-  const T t_27 = c6 - k_2 * v_2_2c;
-  const T t_28 = k_4 * t_19;
-  const T p_2_2 = k_3 * t_17 * t_27 + t_28 * v_2_1c;
+  const T t_28 = c6 - k_2 * v_2_2c;
+  const T t_29 = k_4 * t_20;
+  const T p_2_2 = k_3 * t_18 * t_28 + t_29 * v_2_1c;
   out[6] = c6 - p_2_2;                            // l=2 m=0
-  const T q_2_2 = t_28 * t_27 + cos_2b * v_2_1c;
-  const T t_29 = v_2_2c + k_2 * p_2_2;
+  const T q_2_2 = t_29 * t_28 + cos_2b * v_2_1c;
+  const T t_30 = v_2_2c + k_2 * p_2_2;
   const T p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
   const T q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
   out[7] = cos_a * q_2_2 - sin_a * q_2_1;         // l=2 m=1
   out[5] = sin_a * q_2_2 + cos_a * q_2_1;         // l=2 m=-1
-  out[8] = cos_2a * t_29 - sin_2a * p_2_1;        // l=2 m=2
-  out[4] = sin_2a * t_29 + cos_2a * p_2_1;        // l=2 m=-2
+  out[8] = cos_2a * t_30 - sin_2a * p_2_1;        // l=2 m=2
+  out[4] = sin_2a * t_30 + cos_2a * p_2_1;        // l=2 m=-2
   const T c13 = c[13];
   const T c11 = c[11];
   const T v_3_1c = cos_g * c13 - sin_g * c11;
@@ -243,34 +243,34 @@ constexpr void rotate_quaternion_l5(const T* q, const T* c, T* out) noexcept {
   const T c9 = c[9];
   const T v_3_3c = cos_3g * c15 - sin_3g * c9;
   const T v_3_3s = sin_3g * c15 + cos_3g * c9;
-  const T t_30 = k_5 * v_3_1c + v_3_3c;
-  const T t_31 = v_3_1c - k_5 * v_3_3c;
+  const T t_31 = k_5 * v_3_1c + v_3_3c;
+  const T t_32 = v_3_1c - k_5 * v_3_3c;
   const T c12 = c[12];
-  const T t_32 = k_6 * c12 + v_3_2c;
-  const T t_33 = c12 - k_6 * v_3_2c;
-  const T t_34 = k_8 * sin_b;
-  const T p_3_1 = k_7 * cos_b * t_30 + t_34 * t_32;
-  const T q_3_1 = k_9 * cos_b * t_32 - t_34 * t_30;
-  const T t_35 = k_8 * sin_3b;
-  const T p_3_3 = k_7 * cos_3b * t_31 + t_35 * t_33;
-  const T q_3_3 = k_9 * cos_3b * t_33 - t_35 * t_31;
-  const T t_36 = k_5 * p_3_1 + p_3_3;
-  const T t_37 = p_3_1 - k_5 * p_3_3;
+  const T t_33 = k_6 * c12 + v_3_2c;
+  const T t_34 = c12 - k_6 * v_3_2c;
+  const T t_35 = k_8 * sin_b;
+  const T p_3_1 = k_7 * cos_b * t_31 + t_35 * t_33;
+  const T q_3_1 = k_9 * cos_b * t_33 - t_35 * t_31;
+  const T t_36 = k_8 * sin_3b;
+  const T p_3_3 = k_7 * cos_3b * t_32 + t_36 * t_34;
+  const T q_3_3 = k_9 * cos_3b * t_34 - t_36 * t_32;
+  const T t_37 = k_5 * p_3_1 + p_3_3;
+  const T t_38 = p_3_1 - k_5 * p_3_3;
   out[12] = k_6 * q_3_1 + q_3_3;                  // l=3 m=0
-  const T t_38 = q_3_1 - k_6 * q_3_3;
-  const T t_39 = v_3_1s - k_6 * v_3_3s;
-  const T t_40 = k_17 * t_17;
-  const T t_41 = k_11 * t_19;
-  const T p_3_2 = k_10 * t_17 * t_39 + t_41 * v_3_2s;
-  const T q_3_2 = t_41 * t_39 + cos_2b * v_3_2s;
-  const T t_42 = v_3_1s - p_3_2;
-  const T t_43 = v_3_3s + k_6 * p_3_2;
-  out[13] = cos_a * t_36 - sin_a * t_42;          // l=3 m=1
-  out[11] = sin_a * t_36 + cos_a * t_42;          // l=3 m=-1
-  out[14] = cos_2a * t_38 - sin_2a * q_3_2;       // l=3 m=2
-  out[10] = sin_2a * t_38 + cos_2a * q_3_2;       // l=3 m=-2
-  out[15] = cos_3a * t_37 - sin_3a * t_43;        // l=3 m=3
-  out[9] = sin_3a * t_37 + cos_3a * t_43;         // l=3 m=-3
+  const T t_39 = q_3_1 - k_6 * q_3_3;
+  const T t_40 = v_3_1s - k_6 * v_3_3s;
+  const T t_41 = k_17 * t_18;
+  const T t_42 = k_11 * t_20;
+  const T p_3_2 = k_10 * t_18 * t_40 + t_42 * v_3_2s;
+  const T q_3_2 = t_42 * t_40 + cos_2b * v_3_2s;
+  const T t_43 = v_3_1s - p_3_2;
+  const T t_44 = v_3_3s + k_6 * p_3_2;
+  out[13] = cos_a * t_37 - sin_a * t_43;          // l=3 m=1
+  out[11] = sin_a * t_37 + cos_a * t_43;          // l=3 m=-1
+  out[14] = cos_2a * t_39 - sin_2a * q_3_2;       // l=3 m=2
+  out[10] = sin_2a * t_39 + cos_2a * q_3_2;       // l=3 m=-2
+  out[15] = cos_3a * t_38 - sin_3a * t_44;        // l=3 m=3
+  out[9] = sin_3a * t_38 + cos_3a * t_44;         // l=3 m=-3
   const T c21 = c[21];
   const T c19 = c[19];
   const T v_4_1c = cos_g * c21 - sin_g * c19;
@@ -288,48 +288,48 @@ constexpr void rotate_quaternion_l5(const T* q, const T* c, T* out) noexcept {
   const T v_4_4c = cos_4g * c24 - sin_4g * c16;
   const T v_4_4s = sin_4g * c24 + cos_4g * c16;
   const T c20 = c[20];
-  const T t_44 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
-  const T t_45 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
-  const T t_46 = k_16 * v_4_1c + v_4_3c;
-  const T t_47 = v_4_1c - k_16 * v_4_3c;
-  const T t_48 = k_18 * t_19;
-  const T t_49 = k_46 * t_19;
-  const T q_4_2 = k_19 * cos_2b * t_46 - t_48 * t_44;
-  const T p_4_2 = t_40 * t_44 - t_48 * t_46;
-  const T t_50 = k_21 * t_24;
-  const T p_4_4 = k_20 * t_23 * t_45 + t_50 * t_47;
-  const T t_51 = k_49 * t_24;
-  const T q_4_4 = t_50 * t_45 + k_19 * cos_4b * t_47;
+  const T t_45 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
+  const T t_46 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
+  const T t_47 = k_16 * v_4_1c + v_4_3c;
+  const T t_48 = v_4_1c - k_16 * v_4_3c;
+  const T t_49 = k_18 * t_20;
+  const T t_50 = k_46 * t_20;
+  const T q_4_2 = k_19 * cos_2b * t_47 - t_49 * t_45;
+  const T p_4_2 = t_41 * t_45 - t_49 * t_47;
+  const T t_51 = k_21 * t_25;
+  const T p_4_4 = k_20 * t_24 * t_46 + t_51 * t_48;
+  const T t_52 = k_49 * t_25;
+  const T q_4_4 = t_51 * t_46 + k_19 * cos_4b * t_48;
   out[20] = c20 - (p_4_4 - k_12 * p_4_2);         // l=4 m=0
-  const T t_52 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
-  const T t_53 = v_4_4c - (p_4_2 + k_15 * p_4_4);
-  const T t_54 = k_16 * q_4_2 + q_4_4;
-  const T t_55 = q_4_2 - k_16 * q_4_4;
-  const T t_56 = k_16 * v_4_2s + v_4_4s;
-  const T t_57 = v_4_2s - k_16 * v_4_4s;
-  const T t_58 = k_22 * v_4_1s + v_4_3s;
-  const T t_59 = v_4_3s - k_23 * v_4_1s;
-  const T t_60 = k_24 * sin_b;
-  const T p_4_1 = k_19 * cos_b * t_56 + t_60 * t_58;
-  const T t_61 = k_38 * sin_b;
-  const T t_62 = k_25 * cos_b;
-  const T q_4_1 = t_62 * t_58 - t_60 * t_56;
-  const T t_63 = k_26 * sin_3b;
-  const T p_4_3 = k_19 * cos_3b * t_57 - t_63 * t_59;
-  const T t_64 = k_39 * sin_3b;
-  const T q_4_3 = t_63 * t_57 + k_27 * cos_3b * t_59;
-  const T t_65 = k_16 * p_4_1 + p_4_3;
-  const T t_66 = p_4_1 - k_16 * p_4_3;
-  const T t_67 = q_4_1 + q_4_3;
-  const T t_68 = k_22 * q_4_1 - k_23 * q_4_3;
-  out[21] = cos_a * t_54 - sin_a * t_68;          // l=4 m=1
-  out[19] = sin_a * t_54 + cos_a * t_68;          // l=4 m=-1
-  out[22] = cos_2a * t_52 - sin_2a * t_65;        // l=4 m=2
-  out[18] = sin_2a * t_52 + cos_2a * t_65;        // l=4 m=-2
-  out[23] = cos_3a * t_55 - sin_3a * t_67;        // l=4 m=3
-  out[17] = sin_3a * t_55 + cos_3a * t_67;        // l=4 m=-3
-  out[24] = cos_4a * t_53 - sin_4a * t_66;        // l=4 m=4
-  out[16] = sin_4a * t_53 + cos_4a * t_66;        // l=4 m=-4
+  const T t_53 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
+  const T t_54 = v_4_4c - (p_4_2 + k_15 * p_4_4);
+  const T t_55 = k_16 * q_4_2 + q_4_4;
+  const T t_56 = q_4_2 - k_16 * q_4_4;
+  const T t_57 = k_16 * v_4_2s + v_4_4s;
+  const T t_58 = v_4_2s - k_16 * v_4_4s;
+  const T t_59 = k_22 * v_4_1s + v_4_3s;
+  const T t_60 = v_4_3s - k_23 * v_4_1s;
+  const T t_61 = k_24 * sin_b;
+  const T p_4_1 = k_19 * cos_b * t_57 + t_61 * t_59;
+  const T t_62 = k_38 * sin_b;
+  const T t_63 = k_25 * cos_b;
+  const T q_4_1 = t_63 * t_59 - t_61 * t_57;
+  const T t_64 = k_26 * sin_3b;
+  const T p_4_3 = k_19 * cos_3b * t_58 - t_64 * t_60;
+  const T t_65 = k_39 * sin_3b;
+  const T q_4_3 = t_64 * t_58 + k_27 * cos_3b * t_60;
+  const T t_66 = k_16 * p_4_1 + p_4_3;
+  const T t_67 = p_4_1 - k_16 * p_4_3;
+  const T t_68 = q_4_1 + q_4_3;
+  const T t_69 = k_22 * q_4_1 - k_23 * q_4_3;
+  out[21] = cos_a * t_55 - sin_a * t_69;          // l=4 m=1
+  out[19] = sin_a * t_55 + cos_a * t_69;          // l=4 m=-1
+  out[22] = cos_2a * t_53 - sin_2a * t_66;        // l=4 m=2
+  out[18] = sin_2a * t_53 + cos_2a * t_66;        // l=4 m=-2
+  out[23] = cos_3a * t_56 - sin_3a * t_68;        // l=4 m=3
+  out[17] = sin_3a * t_56 + cos_3a * t_68;        // l=4 m=-3
+  out[24] = cos_4a * t_54 - sin_4a * t_67;        // l=4 m=4
+  out[16] = sin_4a * t_54 + cos_4a * t_67;        // l=4 m=-4
   const T c31 = c[31];
   const T c29 = c[29];
   const T v_5_1c = cos_g * c31 - sin_g * c29;
@@ -350,50 +350,50 @@ constexpr void rotate_quaternion_l5(const T* q, const T* c, T* out) noexcept {
   const T c25 = c[25];
   const T v_5_5c = cos_5g * c35 - sin_5g * c25;
   const T v_5_5s = sin_5g * c35 + cos_5g * c25;
-  const T t_69 = k_29 * v_5_3c - k_28 * v_5_1c + v_5_5c;
-  const T t_70 = v_5_1c + k_30 * t_69;
-  const T t_71 = v_5_3c - k_31 * t_69;
-  const T t_72 = v_5_5c - k_7 * t_69;
+  const T t_70 = k_29 * v_5_3c - k_28 * v_5_1c + v_5_5c;
+  const T t_71 = v_5_1c + k_30 * t_70;
+  const T t_72 = v_5_3c - k_31 * t_70;
+  const T t_73 = v_5_5c - k_7 * t_70;
   const T c30 = c[30];
-  const T t_73 = k_32 * c30 + v_5_2c + k_33 * v_5_4c;
-  const T p_5_1 = cos_b * t_70 + t_61 * t_73;
-  const T q_5_1 = t_62 * t_73 - t_61 * t_70;
-  const T t_74 = v_5_4c - k_34 * c30 - k_35 * v_5_2c;
-  const T t_75 = c30 - k_36 * v_5_2c + k_37 * v_5_4c;
-  const T p_5_3 = cos_3b * t_71 - t_64 * t_74;
-  const T q_5_3 = t_64 * t_71 + k_40 * cos_3b * t_74;
-  const T p_5_5 = cos_5b * t_72 + t_26 * t_75;
-  const T q_5_5 = k_41 * cos_5b * t_75 - t_26 * t_72;
-  const T t_76 = k_29 * p_5_3 - k_28 * p_5_1 + p_5_5;
-  const T t_77 = p_5_1 + k_30 * t_76;
-  const T t_78 = p_5_3 - k_31 * t_76;
-  const T t_79 = p_5_5 - k_7 * t_76;
+  const T t_74 = k_32 * c30 + v_5_2c + k_33 * v_5_4c;
+  const T p_5_1 = cos_b * t_71 + t_62 * t_74;
+  const T q_5_1 = t_63 * t_74 - t_62 * t_71;
+  const T t_75 = v_5_4c - k_34 * c30 - k_35 * v_5_2c;
+  const T t_76 = c30 - k_36 * v_5_2c + k_37 * v_5_4c;
+  const T p_5_3 = cos_3b * t_72 - t_65 * t_75;
+  const T q_5_3 = t_65 * t_72 + k_40 * cos_3b * t_75;
+  const T p_5_5 = cos_5b * t_73 + t_27 * t_76;
+  const T q_5_5 = k_41 * cos_5b * t_76 - t_27 * t_73;
+  const T t_77 = k_29 * p_5_3 - k_28 * p_5_1 + p_5_5;
+  const T t_78 = p_5_1 + k_30 * t_77;
+  const T t_79 = p_5_3 - k_31 * t_77;
+  const T t_80 = p_5_5 - k_7 * t_77;
   out[30] = k_32 * q_5_1 - k_34 * q_5_3 + q_5_5;  // l=5 m=0
-  const T t_80 = q_5_1 - k_35 * q_5_3 - k_36 * q_5_5;
-  const T t_81 = k_33 * q_5_1 + q_5_3 + k_37 * q_5_5;
-  const T t_82 = v_5_1s + k_42 * v_5_3s - k_43 * v_5_5s;
-  const T t_83 = v_5_3s - k_44 * v_5_1s - k_45 * v_5_5s;
-  const T t_84 = k_2 * v_5_2s + v_5_4s;
-  const T t_85 = v_5_2s - k_2 * v_5_4s;
-  const T p_5_2 = t_40 * t_82 + t_49 * t_84;
-  const T q_5_2 = t_49 * t_82 + k_47 * cos_2b * t_84;
-  const T p_5_4 = k_48 * t_23 * t_83 - t_51 * t_85;
-  const T q_5_4 = k_47 * cos_4b * t_85 - t_51 * t_83;
-  const T t_86 = v_5_1s - (p_5_2 - k_44 * p_5_4);
-  const T t_87 = v_5_3s - (k_42 * p_5_2 + p_5_4);
-  const T t_88 = v_5_5s + (k_43 * p_5_2 + k_45 * p_5_4);
-  const T t_89 = k_2 * q_5_2 + q_5_4;
-  const T t_90 = q_5_2 - k_2 * q_5_4;
-  out[31] = cos_a * t_77 - sin_a * t_86;          // l=5 m=1
-  out[29] = sin_a * t_77 + cos_a * t_86;          // l=5 m=-1
-  out[32] = cos_2a * t_80 - sin_2a * t_89;        // l=5 m=2
-  out[28] = sin_2a * t_80 + cos_2a * t_89;        // l=5 m=-2
-  out[33] = cos_3a * t_78 - sin_3a * t_87;        // l=5 m=3
-  out[27] = sin_3a * t_78 + cos_3a * t_87;        // l=5 m=-3
-  out[34] = cos_4a * t_81 - sin_4a * t_90;        // l=5 m=4
-  out[26] = sin_4a * t_81 + cos_4a * t_90;        // l=5 m=-4
-  out[35] = cos_5a * t_79 - sin_5a * t_88;        // l=5 m=5
-  out[25] = sin_5a * t_79 + cos_5a * t_88;        // l=5 m=-5
+  const T t_81 = q_5_1 - k_35 * q_5_3 - k_36 * q_5_5;
+  const T t_82 = k_33 * q_5_1 + q_5_3 + k_37 * q_5_5;
+  const T t_83 = v_5_1s + k_42 * v_5_3s - k_43 * v_5_5s;
+  const T t_84 = v_5_3s - k_44 * v_5_1s - k_45 * v_5_5s;
+  const T t_85 = k_2 * v_5_2s + v_5_4s;
+  const T t_86 = v_5_2s - k_2 * v_5_4s;
+  const T p_5_2 = t_41 * t_83 + t_50 * t_85;
+  const T q_5_2 = t_50 * t_83 + k_47 * cos_2b * t_85;
+  const T p_5_4 = k_48 * t_24 * t_84 - t_52 * t_86;
+  const T q_5_4 = k_47 * cos_4b * t_86 - t_52 * t_84;
+  const T t_87 = v_5_1s - (p_5_2 - k_44 * p_5_4);
+  const T t_88 = v_5_3s - (k_42 * p_5_2 + p_5_4);
+  const T t_89 = v_5_5s + (k_43 * p_5_2 + k_45 * p_5_4);
+  const T t_90 = k_2 * q_5_2 + q_5_4;
+  const T t_91 = q_5_2 - k_2 * q_5_4;
+  out[31] = cos_a * t_78 - sin_a * t_87;          // l=5 m=1
+  out[29] = sin_a * t_78 + cos_a * t_87;          // l=5 m=-1
+  out[32] = cos_2a * t_81 - sin_2a * t_90;        // l=5 m=2
+  out[28] = sin_2a * t_81 + cos_2a * t_90;        // l=5 m=-2
+  out[33] = cos_3a * t_79 - sin_3a * t_88;        // l=5 m=3
+  out[27] = sin_3a * t_79 + cos_3a * t_88;        // l=5 m=-3
+  out[34] = cos_4a * t_82 - sin_4a * t_91;        // l=5 m=4
+  out[26] = sin_4a * t_82 + cos_4a * t_91;        // l=5 m=-4
+  out[35] = cos_5a * t_80 - sin_5a * t_89;        // l=5 m=5
+  out[25] = sin_5a * t_80 + cos_5a * t_89;        // l=5 m=-5
 }
 
 }  // namespace sh

@@ -10,7 +10,7 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         466 multiplications, 289 additions, 1 divisions, 1 square roots, 6 selections; longest chain 30; at
+// Cost:         465 multiplications, 290 additions, 1 divisions, 1 square roots, 6 selections; longest chain 31; at
 //               most 88 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 3.9e-06 (33.1 eps)
@@ -88,7 +88,6 @@ constexpr void rotate_quaternion_l6(const T* q, const T* c, T* out) noexcept {
   const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
   const T zero = detail::constant<T>(0.0f, 0.0);                               // 0
   const T two  = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T half = detail::constant<T>(0.5f, 0.5);                               // 1/2
   const T k    = detail::constant<T>(8.0f, 8.0);                               // 8
   const T k_2  = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
   const T k_3  = detail::constant<T>(6.0f, 6.0);                               // 6
@@ -179,8 +178,8 @@ constexpr void rotate_quaternion_l6(const T* q, const T* c, T* out) noexcept {
   const T a_im = detail::choose(aa < tiny, zero, q[3]);
   const T b_re = detail::choose(bb < tiny, one, q[2]);
   const T b_im = detail::choose(bb < tiny, zero, q[1]);
-  const T inv2 = two / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
-  const T inv = detail::square_root<T>(half * inv2);
+  const T inv_sq = one / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
+  const T inv = detail::square_root<T>(inv_sq);
   const T t = a_re * b_re;
   const T t_2 = a_im * b_im;
   const T t_3 = a_im * b_re;
@@ -189,56 +188,57 @@ constexpr void rotate_quaternion_l6(const T* q, const T* c, T* out) noexcept {
   const T t_6 = t_3 - t_4;
   const T cos_a = t_5 * inv;
   const T sin_a = t_6 * inv;
-  const T t_7 = t_6 * inv2;
-  const T t_8 = t_7 * t_6;
-  const T sin_2a = t_7 * t_5;
-  const T cos_2a = one - t_8;
-  const T t_9 = cos_2a - t_8;
-  const T cos_3a = cos_a * t_9;
-  const T sin_3a = sin_a * (t_9 + two);
-  const T t_10 = cos_a + cos_a;
-  const T cos_4a = t_10 * cos_3a - cos_2a;
-  const T sin_4a = t_10 * sin_3a - sin_2a;
-  const T cos_5a = t_10 * cos_4a - cos_3a;
-  const T sin_5a = t_10 * sin_4a - sin_3a;
-  const T cos_6a = t_10 * cos_5a - cos_4a;
-  const T sin_6a = t_10 * sin_5a - sin_4a;
-  const T t_11 = t - t_2;
-  const T t_12 = t_3 + t_4;
-  const T cos_g = t_11 * inv;
-  const T sin_g = t_12 * inv;
-  const T t_13 = t_12 * inv2;
-  const T t_14 = t_13 * t_12;
-  const T sin_2g = t_13 * t_11;
-  const T cos_2g = one - t_14;
-  const T t_15 = cos_2g - t_14;
-  const T cos_3g = cos_g * t_15;
-  const T sin_3g = sin_g * (t_15 + two);
-  const T t_16 = cos_g + cos_g;
-  const T cos_4g = t_16 * cos_3g - cos_2g;
-  const T sin_4g = t_16 * sin_3g - sin_2g;
-  const T cos_5g = t_16 * cos_4g - cos_3g;
-  const T sin_5g = t_16 * sin_4g - sin_3g;
-  const T cos_6g = t_16 * cos_5g - cos_4g;
-  const T sin_6g = t_16 * sin_5g - sin_4g;
-  const T t_17 = aa * bb;
-  const T t_18 = t_17 * inv;
-  const T sin_b = t_18 + t_18;
+  const T t_7 = inv_sq + inv_sq;
+  const T t_8 = t_6 * t_7;
+  const T t_9 = t_8 * t_6;
+  const T sin_2a = t_8 * t_5;
+  const T cos_2a = one - t_9;
+  const T t_10 = cos_2a - t_9;
+  const T cos_3a = cos_a * t_10;
+  const T sin_3a = sin_a * (t_10 + two);
+  const T t_11 = cos_a + cos_a;
+  const T cos_4a = t_11 * cos_3a - cos_2a;
+  const T sin_4a = t_11 * sin_3a - sin_2a;
+  const T cos_5a = t_11 * cos_4a - cos_3a;
+  const T sin_5a = t_11 * sin_4a - sin_3a;
+  const T cos_6a = t_11 * cos_5a - cos_4a;
+  const T sin_6a = t_11 * sin_5a - sin_4a;
+  const T t_12 = t - t_2;
+  const T t_13 = t_3 + t_4;
+  const T cos_g = t_12 * inv;
+  const T sin_g = t_13 * inv;
+  const T t_14 = t_13 * t_7;
+  const T t_15 = t_14 * t_13;
+  const T sin_2g = t_14 * t_12;
+  const T cos_2g = one - t_15;
+  const T t_16 = cos_2g - t_15;
+  const T cos_3g = cos_g * t_16;
+  const T sin_3g = sin_g * (t_16 + two);
+  const T t_17 = cos_g + cos_g;
+  const T cos_4g = t_17 * cos_3g - cos_2g;
+  const T sin_4g = t_17 * sin_3g - sin_2g;
+  const T cos_5g = t_17 * cos_4g - cos_3g;
+  const T sin_5g = t_17 * sin_4g - sin_3g;
+  const T cos_6g = t_17 * cos_5g - cos_4g;
+  const T sin_6g = t_17 * sin_5g - sin_4g;
+  const T t_18 = aa * bb;
+  const T t_19 = t_18 * inv;
+  const T sin_b = t_19 + t_19;
   const T cos_b = aa - bb;
-  const T t_19 = sin_b * cos_b;
-  const T t_20 = k * t_17;
-  const T cos_2b = one - t_20;
-  const T t_21 = cos_2b - t_20;
-  const T t_22 = t_21 + two;
-  const T cos_3b = cos_b * t_21;
-  const T sin_3b = sin_b * t_22;
-  const T t_23 = t_19 * t_19;
-  const T t_24 = t_19 * cos_2b;
-  const T cos_4b = one - k * t_23;
-  const T t_25 = cos_4b + cos_4b;
-  const T cos_5b = cos_b * (t_25 - t_21);
-  const T sin_5b = sin_b * (t_25 + t_22);
-  const T t_26 = sin_3b * sin_3b;
+  const T t_20 = sin_b * cos_b;
+  const T t_21 = k * t_18;
+  const T cos_2b = one - t_21;
+  const T t_22 = cos_2b - t_21;
+  const T t_23 = t_22 + two;
+  const T cos_3b = cos_b * t_22;
+  const T sin_3b = sin_b * t_23;
+  const T t_24 = t_20 * t_20;
+  const T t_25 = t_20 * cos_2b;
+  const T cos_4b = one - k * t_24;
+  const T t_26 = cos_4b + cos_4b;
+  const T cos_5b = cos_b * (t_26 - t_22);
+  const T sin_5b = sin_b * (t_26 + t_23);
+  const T t_27 = sin_3b * sin_3b;
   const T c3 = c[3];
   const T c1 = c[1];
   const T v_1_1c = cos_g * c3 - sin_g * c1;
@@ -257,18 +257,18 @@ constexpr void rotate_quaternion_l6(const T* q, const T* c, T* out) noexcept {
   const T v_2_2c = cos_2g * c8 - sin_2g * c4;
   const T v_2_2s = sin_2g * c8 + cos_2g * c4;
   const T c6 = c[6];
-  const T t_27 = c6 - k_2 * v_2_2c;
-  const T t_28 = k_4 * t_19;
-  const T p_2_2 = k_3 * t_17 * t_27 + t_28 * v_2_1c;
-  const T q_2_2 = t_28 * t_27 + cos_2b * v_2_1c;
+  const T t_28 = c6 - k_2 * v_2_2c;
+  const T t_29 = k_4 * t_20;
+  const T p_2_2 = k_3 * t_18 * t_28 + t_29 * v_2_1c;
+  const T q_2_2 = t_29 * t_28 + cos_2b * v_2_1c;
   out[6] = c6 - p_2_2;                                           // l=2 m=0
-  const T t_29 = v_2_2c + k_2 * p_2_2;
+  const T t_30 = v_2_2c + k_2 * p_2_2;
   const T p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
   const T q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
   out[7] = cos_a * q_2_2 - sin_a * q_2_1;                        // l=2 m=1
   out[5] = sin_a * q_2_2 + cos_a * q_2_1;                        // l=2 m=-1
-  out[8] = cos_2a * t_29 - sin_2a * p_2_1;                       // l=2 m=2
-  out[4] = sin_2a * t_29 + cos_2a * p_2_1;                       // l=2 m=-2
+  out[8] = cos_2a * t_30 - sin_2a * p_2_1;                       // l=2 m=2
+  out[4] = sin_2a * t_30 + cos_2a * p_2_1;                       // l=2 m=-2
   const T c13 = c[13];
   const T c11 = c[11];
   const T v_3_1c = cos_g * c13 - sin_g * c11;
@@ -281,33 +281,33 @@ constexpr void rotate_quaternion_l6(const T* q, const T* c, T* out) noexcept {
   const T c9 = c[9];
   const T v_3_3c = cos_3g * c15 - sin_3g * c9;
   const T v_3_3s = sin_3g * c15 + cos_3g * c9;
-  const T t_30 = k_5 * v_3_1c + v_3_3c;
-  const T t_31 = v_3_1c - k_5 * v_3_3c;
+  const T t_31 = k_5 * v_3_1c + v_3_3c;
+  const T t_32 = v_3_1c - k_5 * v_3_3c;
   const T c12 = c[12];
-  const T t_32 = k_6 * c12 + v_3_2c;
-  const T t_33 = c12 - k_6 * v_3_2c;
-  const T t_34 = k_8 * sin_b;
-  const T p_3_1 = k_7 * cos_b * t_30 + t_34 * t_32;
-  const T q_3_1 = k_9 * cos_b * t_32 - t_34 * t_30;
-  const T t_35 = k_8 * sin_3b;
-  const T p_3_3 = k_7 * cos_3b * t_31 + t_35 * t_33;
-  const T q_3_3 = k_9 * cos_3b * t_33 - t_35 * t_31;
-  const T t_36 = k_5 * p_3_1 + p_3_3;
-  const T t_37 = p_3_1 - k_5 * p_3_3;
+  const T t_33 = k_6 * c12 + v_3_2c;
+  const T t_34 = c12 - k_6 * v_3_2c;
+  const T t_35 = k_8 * sin_b;
+  const T p_3_1 = k_7 * cos_b * t_31 + t_35 * t_33;
+  const T q_3_1 = k_9 * cos_b * t_33 - t_35 * t_31;
+  const T t_36 = k_8 * sin_3b;
+  const T p_3_3 = k_7 * cos_3b * t_32 + t_36 * t_34;
+  const T q_3_3 = k_9 * cos_3b * t_34 - t_36 * t_32;
+  const T t_37 = k_5 * p_3_1 + p_3_3;
+  const T t_38 = p_3_1 - k_5 * p_3_3;
   out[12] = k_6 * q_3_1 + q_3_3;                                 // l=3 m=0
-  const T t_38 = q_3_1 - k_6 * q_3_3;
-  const T t_39 = v_3_1s - k_6 * v_3_3s;
-  const T t_40 = k_11 * t_19;
-  const T p_3_2 = k_10 * t_17 * t_39 + t_40 * v_3_2s;
-  const T q_3_2 = t_40 * t_39 + cos_2b * v_3_2s;
-  const T t_41 = v_3_1s - p_3_2;
-  const T t_42 = v_3_3s + k_6 * p_3_2;
-  out[13] = cos_a * t_36 - sin_a * t_41;                         // l=3 m=1
-  out[11] = sin_a * t_36 + cos_a * t_41;                         // l=3 m=-1
-  out[14] = cos_2a * t_38 - sin_2a * q_3_2;                      // l=3 m=2
-  out[10] = sin_2a * t_38 + cos_2a * q_3_2;                      // l=3 m=-2
-  out[15] = cos_3a * t_37 - sin_3a * t_42;                       // l=3 m=3
-  out[9] = sin_3a * t_37 + cos_3a * t_42;                        // l=3 m=-3
+  const T t_39 = q_3_1 - k_6 * q_3_3;
+  const T t_40 = v_3_1s - k_6 * v_3_3s;
+  const T t_41 = k_11 * t_20;
+  const T p_3_2 = k_10 * t_18 * t_40 + t_41 * v_3_2s;
+  const T q_3_2 = t_41 * t_40 + cos_2b * v_3_2s;
+  const T t_42 = v_3_1s - p_3_2;
+  const T t_43 = v_3_3s + k_6 * p_3_2;
+  out[13] = cos_a * t_37 - sin_a * t_42;                         // l=3 m=1
+  out[11] = sin_a * t_37 + cos_a * t_42;                         // l=3 m=-1
+  out[14] = cos_2a * t_39 - sin_2a * q_3_2;                      // l=3 m=2
+  out[10] = sin_2a * t_39 + cos_2a * q_3_2;                      // l=3 m=-2
+  out[15] = cos_3a * t_38 - sin_3a * t_43;                       // l=3 m=3
+  out[9] = sin_3a * t_38 + cos_3a * t_43;                        // l=3 m=-3
   const T c21 = c[21];
   const T c19 = c[19];
   const T v_4_1c = cos_g * c21 - sin_g * c19;
@@ -325,45 +325,45 @@ constexpr void rotate_quaternion_l6(const T* q, const T* c, T* out) noexcept {
   const T v_4_4c = cos_4g * c24 - sin_4g * c16;
   const T v_4_4s = sin_4g * c24 + cos_4g * c16;
   const T c20 = c[20];
-  const T t_43 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
-  const T t_44 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
-  const T t_45 = k_16 * v_4_1c + v_4_3c;
-  const T t_46 = v_4_1c - k_16 * v_4_3c;
-  const T t_47 = k_17 * t_17;
-  const T t_48 = k_18 * t_19;
-  const T p_4_2 = t_47 * t_43 - t_48 * t_45;
-  const T q_4_2 = k_19 * cos_2b * t_45 - t_48 * t_43;
-  const T t_49 = k_21 * t_24;
-  const T p_4_4 = k_20 * t_23 * t_44 + t_49 * t_46;
-  const T q_4_4 = t_49 * t_44 + k_19 * cos_4b * t_46;
+  const T t_44 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
+  const T t_45 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
+  const T t_46 = k_16 * v_4_1c + v_4_3c;
+  const T t_47 = v_4_1c - k_16 * v_4_3c;
+  const T t_48 = k_17 * t_18;
+  const T t_49 = k_18 * t_20;
+  const T p_4_2 = t_48 * t_44 - t_49 * t_46;
+  const T q_4_2 = k_19 * cos_2b * t_46 - t_49 * t_44;
+  const T t_50 = k_21 * t_25;
+  const T p_4_4 = k_20 * t_24 * t_45 + t_50 * t_47;
+  const T q_4_4 = t_50 * t_45 + k_19 * cos_4b * t_47;
   out[20] = c20 - (p_4_4 - k_12 * p_4_2);                        // l=4 m=0
-  const T t_50 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
-  const T t_51 = v_4_4c - (p_4_2 + k_15 * p_4_4);
-  const T t_52 = k_16 * q_4_2 + q_4_4;
-  const T t_53 = q_4_2 - k_16 * q_4_4;
-  const T t_54 = k_16 * v_4_2s + v_4_4s;
-  const T t_55 = v_4_2s - k_16 * v_4_4s;
-  const T t_56 = k_22 * v_4_1s + v_4_3s;
-  const T t_57 = v_4_3s - k_23 * v_4_1s;
-  const T t_58 = k_24 * sin_b;
-  const T t_59 = k_25 * cos_b;
-  const T p_4_1 = k_19 * cos_b * t_54 + t_58 * t_56;
-  const T q_4_1 = t_59 * t_56 - t_58 * t_54;
-  const T t_60 = k_26 * sin_3b;
-  const T p_4_3 = k_19 * cos_3b * t_55 - t_60 * t_57;
-  const T q_4_3 = t_60 * t_55 + k_27 * cos_3b * t_57;
-  const T t_61 = k_16 * p_4_1 + p_4_3;
-  const T t_62 = p_4_1 - k_16 * p_4_3;
-  const T t_63 = k_22 * q_4_1 - k_23 * q_4_3;
-  const T t_64 = q_4_1 + q_4_3;
-  out[21] = cos_a * t_52 - sin_a * t_63;                         // l=4 m=1
-  out[19] = sin_a * t_52 + cos_a * t_63;                         // l=4 m=-1
-  out[22] = cos_2a * t_50 - sin_2a * t_61;                       // l=4 m=2
-  out[18] = sin_2a * t_50 + cos_2a * t_61;                       // l=4 m=-2
-  out[23] = cos_3a * t_53 - sin_3a * t_64;                       // l=4 m=3
-  out[17] = sin_3a * t_53 + cos_3a * t_64;                       // l=4 m=-3
-  out[24] = cos_4a * t_51 - sin_4a * t_62;                       // l=4 m=4
-  out[16] = sin_4a * t_51 + cos_4a * t_62;                       // l=4 m=-4
+  const T t_51 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
+  const T t_52 = v_4_4c - (p_4_2 + k_15 * p_4_4);
+  const T t_53 = k_16 * q_4_2 + q_4_4;
+  const T t_54 = q_4_2 - k_16 * q_4_4;
+  const T t_55 = k_16 * v_4_2s + v_4_4s;
+  const T t_56 = v_4_2s - k_16 * v_4_4s;
+  const T t_57 = k_22 * v_4_1s + v_4_3s;
+  const T t_58 = v_4_3s - k_23 * v_4_1s;
+  const T t_59 = k_24 * sin_b;
+  const T t_60 = k_25 * cos_b;
+  const T p_4_1 = k_19 * cos_b * t_55 + t_59 * t_57;
+  const T q_4_1 = t_60 * t_57 - t_59 * t_55;
+  const T t_61 = k_26 * sin_3b;
+  const T p_4_3 = k_19 * cos_3b * t_56 - t_61 * t_58;
+  const T q_4_3 = t_61 * t_56 + k_27 * cos_3b * t_58;
+  const T t_62 = k_16 * p_4_1 + p_4_3;
+  const T t_63 = p_4_1 - k_16 * p_4_3;
+  const T t_64 = k_22 * q_4_1 - k_23 * q_4_3;
+  const T t_65 = q_4_1 + q_4_3;
+  out[21] = cos_a * t_53 - sin_a * t_64;                         // l=4 m=1
+  out[19] = sin_a * t_53 + cos_a * t_64;                         // l=4 m=-1
+  out[22] = cos_2a * t_51 - sin_2a * t_62;                       // l=4 m=2
+  out[18] = sin_2a * t_51 + cos_2a * t_62;                       // l=4 m=-2
+  out[23] = cos_3a * t_54 - sin_3a * t_65;                       // l=4 m=3
+  out[17] = sin_3a * t_54 + cos_3a * t_65;                       // l=4 m=-3
+  out[24] = cos_4a * t_52 - sin_4a * t_63;                       // l=4 m=4
+  out[16] = sin_4a * t_52 + cos_4a * t_63;                       // l=4 m=-4
   const T c31 = c[31];
   const T c29 = c[29];
   const T v_5_1c = cos_g * c31 - sin_g * c29;
@@ -384,55 +384,55 @@ constexpr void rotate_quaternion_l6(const T* q, const T* c, T* out) noexcept {
   const T c25 = c[25];
   const T v_5_5c = cos_5g * c35 - sin_5g * c25;
   const T v_5_5s = sin_5g * c35 + cos_5g * c25;
-  const T t_65 = k_29 * v_5_3c - k_28 * v_5_1c + v_5_5c;
-  const T t_66 = v_5_1c + k_30 * t_65;
-  const T t_67 = v_5_3c - k_31 * t_65;
-  const T t_68 = v_5_5c - k_7 * t_65;
+  const T t_66 = k_29 * v_5_3c - k_28 * v_5_1c + v_5_5c;
+  const T t_67 = v_5_1c + k_30 * t_66;
+  const T t_68 = v_5_3c - k_31 * t_66;
+  const T t_69 = v_5_5c - k_7 * t_66;
   const T c30 = c[30];
-  const T t_69 = k_32 * c30 + v_5_2c + k_33 * v_5_4c;
-  const T t_70 = v_5_4c - k_34 * c30 - k_35 * v_5_2c;
-  const T t_71 = c30 - k_36 * v_5_2c + k_37 * v_5_4c;
-  const T t_72 = k_38 * sin_b;
-  const T p_5_1 = cos_b * t_66 + t_72 * t_69;
-  const T q_5_1 = t_59 * t_69 - t_72 * t_66;
-  const T t_73 = k_39 * sin_3b;
-  const T p_5_3 = cos_3b * t_67 - t_73 * t_70;
-  const T q_5_3 = t_73 * t_67 + k_40 * cos_3b * t_70;
-  const T t_74 = k_26 * sin_5b;
-  const T p_5_5 = cos_5b * t_68 + t_74 * t_71;
-  const T q_5_5 = k_41 * cos_5b * t_71 - t_74 * t_68;
-  const T t_75 = k_29 * p_5_3 - k_28 * p_5_1 + p_5_5;
-  const T t_76 = p_5_1 + k_30 * t_75;
-  const T t_77 = p_5_3 - k_31 * t_75;
-  const T t_78 = p_5_5 - k_7 * t_75;
+  const T t_70 = k_32 * c30 + v_5_2c + k_33 * v_5_4c;
+  const T t_71 = v_5_4c - k_34 * c30 - k_35 * v_5_2c;
+  const T t_72 = c30 - k_36 * v_5_2c + k_37 * v_5_4c;
+  const T t_73 = k_38 * sin_b;
+  const T p_5_1 = cos_b * t_67 + t_73 * t_70;
+  const T q_5_1 = t_60 * t_70 - t_73 * t_67;
+  const T t_74 = k_39 * sin_3b;
+  const T p_5_3 = cos_3b * t_68 - t_74 * t_71;
+  const T q_5_3 = t_74 * t_68 + k_40 * cos_3b * t_71;
+  const T t_75 = k_26 * sin_5b;
+  const T p_5_5 = cos_5b * t_69 + t_75 * t_72;
+  const T q_5_5 = k_41 * cos_5b * t_72 - t_75 * t_69;
+  const T t_76 = k_29 * p_5_3 - k_28 * p_5_1 + p_5_5;
+  const T t_77 = p_5_1 + k_30 * t_76;
+  const T t_78 = p_5_3 - k_31 * t_76;
+  const T t_79 = p_5_5 - k_7 * t_76;
   out[30] = k_32 * q_5_1 - k_34 * q_5_3 + q_5_5;                 // l=5 m=0
-  const T t_79 = q_5_1 - k_35 * q_5_3 - k_36 * q_5_5;
-  const T t_80 = k_33 * q_5_1 + q_5_3 + k_37 * q_5_5;
-  const T t_81 = v_5_1s + k_42 * v_5_3s - k_43 * v_5_5s;
-  const T t_82 = v_5_3s - k_44 * v_5_1s - k_45 * v_5_5s;
-  const T t_83 = k_2 * v_5_2s + v_5_4s;
-  const T t_84 = v_5_2s - k_2 * v_5_4s;
-  const T t_85 = k_46 * t_19;
-  const T p_5_2 = t_47 * t_81 + t_85 * t_83;
-  const T q_5_2 = t_85 * t_81 + k_47 * cos_2b * t_83;
-  const T t_86 = k_49 * t_24;
-  const T p_5_4 = k_48 * t_23 * t_82 - t_86 * t_84;
-  const T q_5_4 = k_47 * cos_4b * t_84 - t_86 * t_82;
-  const T t_87 = v_5_1s - (p_5_2 - k_44 * p_5_4);
-  const T t_88 = v_5_3s - (k_42 * p_5_2 + p_5_4);
-  const T t_89 = v_5_5s + (k_43 * p_5_2 + k_45 * p_5_4);
-  const T t_90 = k_2 * q_5_2 + q_5_4;
-  const T t_91 = q_5_2 - k_2 * q_5_4;
-  out[31] = cos_a * t_76 - sin_a * t_87;                         // l=5 m=1
-  out[29] = sin_a * t_76 + cos_a * t_87;                         // l=5 m=-1
-  out[32] = cos_2a * t_79 - sin_2a * t_90;                       // l=5 m=2
-  out[28] = sin_2a * t_79 + cos_2a * t_90;                       // l=5 m=-2
-  out[33] = cos_3a * t_77 - sin_3a * t_88;                       // l=5 m=3
-  out[27] = sin_3a * t_77 + cos_3a * t_88;                       // l=5 m=-3
-  out[34] = cos_4a * t_80 - sin_4a * t_91;                       // l=5 m=4
-  out[26] = sin_4a * t_80 + cos_4a * t_91;                       // l=5 m=-4
-  out[35] = cos_5a * t_78 - sin_5a * t_89;                       // l=5 m=5
-  out[25] = sin_5a * t_78 + cos_5a * t_89;                       // l=5 m=-5
+  const T t_80 = q_5_1 - k_35 * q_5_3 - k_36 * q_5_5;
+  const T t_81 = k_33 * q_5_1 + q_5_3 + k_37 * q_5_5;
+  const T t_82 = v_5_1s + k_42 * v_5_3s - k_43 * v_5_5s;
+  const T t_83 = v_5_3s - k_44 * v_5_1s - k_45 * v_5_5s;
+  const T t_84 = k_2 * v_5_2s + v_5_4s;
+  const T t_85 = v_5_2s - k_2 * v_5_4s;
+  const T t_86 = k_46 * t_20;
+  const T p_5_2 = t_48 * t_82 + t_86 * t_84;
+  const T q_5_2 = t_86 * t_82 + k_47 * cos_2b * t_84;
+  const T t_87 = k_49 * t_25;
+  const T p_5_4 = k_48 * t_24 * t_83 - t_87 * t_85;
+  const T q_5_4 = k_47 * cos_4b * t_85 - t_87 * t_83;
+  const T t_88 = v_5_1s - (p_5_2 - k_44 * p_5_4);
+  const T t_89 = v_5_3s - (k_42 * p_5_2 + p_5_4);
+  const T t_90 = v_5_5s + (k_43 * p_5_2 + k_45 * p_5_4);
+  const T t_91 = k_2 * q_5_2 + q_5_4;
+  const T t_92 = q_5_2 - k_2 * q_5_4;
+  out[31] = cos_a * t_77 - sin_a * t_88;                         // l=5 m=1
+  out[29] = sin_a * t_77 + cos_a * t_88;                         // l=5 m=-1
+  out[32] = cos_2a * t_80 - sin_2a * t_91;                       // l=5 m=2
+  out[28] = sin_2a * t_80 + cos_2a * t_91;                       // l=5 m=-2
+  out[33] = cos_3a * t_78 - sin_3a * t_89;                       // l=5 m=3
+  out[27] = sin_3a * t_78 + cos_3a * t_89;                       // l=5 m=-3
+  out[34] = cos_4a * t_81 - sin_4a * t_92;                       // l=5 m=4
+  out[26] = sin_4a * t_81 + cos_4a * t_92;                       // l=5 m=-4
+  out[35] = cos_5a * t_79 - sin_5a * t_90;                       // l=5 m=5
+  out[25] = sin_5a * t_79 + cos_5a * t_90;                       // l=5 m=-5
   const T c43 = c[43];
   const T c41 = c[41];
   const T v_6_1c = cos_g * c43 - sin_g * c41;
@@ -458,63 +458,63 @@ constexpr void rotate_quaternion_l6(const T* q, const T* c, T* out) noexcept {
   const T v_6_6c = cos_6g * c48 - sin_6g * c36;
   const T v_6_6s = sin_6g * c48 + cos_6g * c36;
   const T c42 = c[42];
-  const T t_92 = v_6_6c - k_50 * c42 - k_51 * v_6_2c - k_52 * v_6_4c;
-  const T t_93 = v_6_4c - k_53 * c42 - k_54 * v_6_2c - k_55 * v_6_6c;
-  const T t_94 = v_6_2c - k_28 * c42 - k_56 * v_6_4c + k_57 * v_6_6c;
-  const T t_95 = k_52 * v_6_1c + k_58 * v_6_3c + v_6_5c;
-  const T t_96 = k_59 * v_6_1c + v_6_3c - k_60 * v_6_5c;
-  const T t_97 = v_6_1c - k_61 * v_6_3c + k_62 * v_6_5c;
-  const T t_98 = k_64 * t_19;
-  const T p_6_2 = k_63 * t_17 * t_92 - t_98 * t_95;
-  const T q_6_2 = k_65 * cos_2b * t_95 - t_98 * t_92;
-  const T t_99 = k_67 * t_24;
-  const T p_6_4 = k_66 * t_23 * t_93 - t_99 * t_96;
-  const T q_6_4 = k_68 * cos_4b * t_96 - t_99 * t_93;
-  const T t_100 = k_70 * sin_3b * cos_3b;
-  const T p_6_6 = k_69 * t_26 * t_94 - t_100 * t_97;
-  const T q_6_6 = (k_71 - k_72 * t_26) * t_97 - t_100 * t_94;
+  const T t_93 = v_6_6c - k_50 * c42 - k_51 * v_6_2c - k_52 * v_6_4c;
+  const T t_94 = v_6_4c - k_53 * c42 - k_54 * v_6_2c - k_55 * v_6_6c;
+  const T t_95 = v_6_2c - k_28 * c42 - k_56 * v_6_4c + k_57 * v_6_6c;
+  const T t_96 = k_52 * v_6_1c + k_58 * v_6_3c + v_6_5c;
+  const T t_97 = k_59 * v_6_1c + v_6_3c - k_60 * v_6_5c;
+  const T t_98 = v_6_1c - k_61 * v_6_3c + k_62 * v_6_5c;
+  const T t_99 = k_64 * t_20;
+  const T p_6_2 = k_63 * t_18 * t_93 - t_99 * t_96;
+  const T q_6_2 = k_65 * cos_2b * t_96 - t_99 * t_93;
+  const T t_100 = k_67 * t_25;
+  const T p_6_4 = k_66 * t_24 * t_94 - t_100 * t_97;
+  const T q_6_4 = k_68 * cos_4b * t_97 - t_100 * t_94;
+  const T t_101 = k_70 * sin_3b * cos_3b;
+  const T p_6_6 = k_69 * t_27 * t_95 - t_101 * t_98;
+  const T q_6_6 = (k_71 - k_72 * t_27) * t_98 - t_101 * t_95;
   out[42] = c42 + (k_50 * p_6_2 + k_53 * p_6_4 + k_28 * p_6_6);  // l=6 m=0
-  const T t_101 = v_6_2c - (p_6_6 - k_51 * p_6_2 - k_54 * p_6_4);
-  const T t_102 = v_6_4c - (p_6_4 - k_52 * p_6_2 - k_56 * p_6_6);
-  const T t_103 = v_6_6c - (p_6_2 - k_55 * p_6_4 + k_57 * p_6_6);
-  const T t_104 = k_52 * q_6_2 + k_59 * q_6_4 + q_6_6;
-  const T t_105 = k_58 * q_6_2 + q_6_4 - k_61 * q_6_6;
-  const T t_106 = q_6_2 - k_60 * q_6_4 + k_62 * q_6_6;
-  const T t_107 = k_73 * v_6_2s + k_74 * v_6_4s + v_6_6s;
-  const T t_108 = k_75 * v_6_2s + v_6_4s - k_76 * v_6_6s;
-  const T t_109 = v_6_2s - k_77 * v_6_4s + k_78 * v_6_6s;
-  const T t_110 = v_6_3s - k_59 * v_6_1s + k_60 * v_6_5s;
-  const T t_111 = v_6_1s + k_79 * t_110;
-  const T t_112 = v_6_3s - k_7 * t_110;
-  const T t_113 = v_6_5s - k_80 * t_110;
-  const T t_114 = k_81 * sin_b;
-  const T p_6_1 = k_71 * cos_b * t_107 + t_114 * t_111;
-  const T q_6_1 = t_114 * t_107 - cos_b * t_111;
-  const T t_115 = k_82 * sin_3b;
-  const T p_6_3 = k_68 * cos_3b * t_108 + t_115 * t_112;
-  const T q_6_3 = t_115 * t_108 - cos_3b * t_112;
-  const T t_116 = k_80 * sin_5b;
-  const T p_6_5 = k_65 * cos_5b * t_109 + t_116 * t_113;
-  const T q_6_5 = t_116 * t_109 - cos_5b * t_113;
-  const T t_117 = k_73 * p_6_1 + k_75 * p_6_3 + p_6_5;
-  const T t_118 = k_74 * p_6_1 + p_6_3 - k_77 * p_6_5;
-  const T t_119 = p_6_1 - k_76 * p_6_3 + k_78 * p_6_5;
-  const T t_120 = q_6_3 - k_59 * q_6_1 + k_60 * q_6_5;
-  const T t_121 = q_6_1 + k_79 * t_120;
-  const T t_122 = q_6_3 - k_7 * t_120;
-  const T t_123 = q_6_5 - k_80 * t_120;
-  out[43] = cos_a * t_104 + sin_a * t_121;                       // l=6 m=1
-  out[41] = sin_a * t_104 - cos_a * t_121;                       // l=6 m=-1
-  out[44] = cos_2a * t_101 - sin_2a * t_117;                     // l=6 m=2
-  out[40] = sin_2a * t_101 + cos_2a * t_117;                     // l=6 m=-2
-  out[45] = cos_3a * t_105 + sin_3a * t_122;                     // l=6 m=3
-  out[39] = sin_3a * t_105 - cos_3a * t_122;                     // l=6 m=-3
-  out[46] = cos_4a * t_102 - sin_4a * t_118;                     // l=6 m=4
-  out[38] = sin_4a * t_102 + cos_4a * t_118;                     // l=6 m=-4
-  out[47] = cos_5a * t_106 + sin_5a * t_123;                     // l=6 m=5
-  out[37] = sin_5a * t_106 - cos_5a * t_123;                     // l=6 m=-5
-  out[48] = cos_6a * t_103 - sin_6a * t_119;                     // l=6 m=6
-  out[36] = sin_6a * t_103 + cos_6a * t_119;                     // l=6 m=-6
+  const T t_102 = v_6_2c - (p_6_6 - k_51 * p_6_2 - k_54 * p_6_4);
+  const T t_103 = v_6_4c - (p_6_4 - k_52 * p_6_2 - k_56 * p_6_6);
+  const T t_104 = v_6_6c - (p_6_2 - k_55 * p_6_4 + k_57 * p_6_6);
+  const T t_105 = k_52 * q_6_2 + k_59 * q_6_4 + q_6_6;
+  const T t_106 = k_58 * q_6_2 + q_6_4 - k_61 * q_6_6;
+  const T t_107 = q_6_2 - k_60 * q_6_4 + k_62 * q_6_6;
+  const T t_108 = k_73 * v_6_2s + k_74 * v_6_4s + v_6_6s;
+  const T t_109 = k_75 * v_6_2s + v_6_4s - k_76 * v_6_6s;
+  const T t_110 = v_6_2s - k_77 * v_6_4s + k_78 * v_6_6s;
+  const T t_111 = v_6_3s - k_59 * v_6_1s + k_60 * v_6_5s;
+  const T t_112 = v_6_1s + k_79 * t_111;
+  const T t_113 = v_6_3s - k_7 * t_111;
+  const T t_114 = v_6_5s - k_80 * t_111;
+  const T t_115 = k_81 * sin_b;
+  const T p_6_1 = k_71 * cos_b * t_108 + t_115 * t_112;
+  const T q_6_1 = t_115 * t_108 - cos_b * t_112;
+  const T t_116 = k_82 * sin_3b;
+  const T p_6_3 = k_68 * cos_3b * t_109 + t_116 * t_113;
+  const T q_6_3 = t_116 * t_109 - cos_3b * t_113;
+  const T t_117 = k_80 * sin_5b;
+  const T p_6_5 = k_65 * cos_5b * t_110 + t_117 * t_114;
+  const T q_6_5 = t_117 * t_110 - cos_5b * t_114;
+  const T t_118 = k_73 * p_6_1 + k_75 * p_6_3 + p_6_5;
+  const T t_119 = k_74 * p_6_1 + p_6_3 - k_77 * p_6_5;
+  const T t_120 = p_6_1 - k_76 * p_6_3 + k_78 * p_6_5;
+  const T t_121 = q_6_3 - k_59 * q_6_1 + k_60 * q_6_5;
+  const T t_122 = q_6_1 + k_79 * t_121;
+  const T t_123 = q_6_3 - k_7 * t_121;
+  const T t_124 = q_6_5 - k_80 * t_121;
+  out[43] = cos_a * t_105 + sin_a * t_122;                       // l=6 m=1
+  out[41] = sin_a * t_105 - cos_a * t_122;                       // l=6 m=-1
+  out[44] = cos_2a * t_102 - sin_2a * t_118;                     // l=6 m=2
+  out[40] = sin_2a * t_102 + cos_2a * t_118;                     // l=6 m=-2
+  out[45] = cos_3a * t_106 + sin_3a * t_123;                     // l=6 m=3
+  out[39] = sin_3a * t_106 - cos_3a * t_123;                     // l=6 m=-3
+  out[46] = cos_4a * t_103 - sin_4a * t_119;                     // l=6 m=4
+  out[38] = sin_4a * t_103 + cos_4a * t_119;                     // l=6 m=-4
+  out[47] = cos_5a * t_107 + sin_5a * t_124;                     // l=6 m=5
+  out[37] = sin_5a * t_107 - cos_5a * t_124;                     // l=6 m=-5
+  out[48] = cos_6a * t_104 - sin_6a * t_120;                     // l=6 m=6
+  out[36] = sin_6a * t_104 + cos_6a * t_120;                     // l=6 m=-6
 }
 
 }  // namespace sh

@@ -10,17 +10,17 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         647 multiplications, 417 additions, 1 divisions, 1 square roots, 6 selections; longest chain 36; at
+// Cost:         646 multiplications, 418 additions, 1 divisions, 1 square roots, 6 selections; longest chain 37; at
 //               most 110 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 6.2e-06 (52.0 eps)
-//                       total     largest seen 6.2e-06 (52.1 eps)
+//                       total     largest seen 7.9e-06 (66.1 eps)
 //               double  rounding  largest seen 1.1e-14 (48.6 eps)
 //                       total     largest seen 1.1e-14 (48.8 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: it has the operation select
 //               total:    against the exact function at the quaternion scaled to length 1
-//               seen:     among 280 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi) and 250880
+//               seen:     among 280 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi) and 251136
 //               evaluations of a search, without contraction
 #pragma once
 
@@ -88,7 +88,6 @@ constexpr void rotate_quaternion_l7(const T* q, const T* c, T* out) noexcept {
   const T one   = detail::constant<T>(1.0f, 1.0);                               // 1
   const T zero  = detail::constant<T>(0.0f, 0.0);                               // 0
   const T two   = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T half  = detail::constant<T>(0.5f, 0.5);                               // 1/2
   const T k     = detail::constant<T>(8.0f, 8.0);                               // 8
   const T k_2   = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
   const T k_3   = detail::constant<T>(6.0f, 6.0);                               // 6
@@ -227,77 +226,78 @@ constexpr void rotate_quaternion_l7(const T* q, const T* c, T* out) noexcept {
   const T bb = q[1] * q[1] + q[2] * q[2];
   const T b_re = detail::choose(bb < tiny, one, q[2]);
   const T b_im = detail::choose(bb < tiny, zero, q[1]);
-  const T inv2 = two / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
-  const T inv = detail::square_root<T>(half * inv2);
-  const T t = a_re * b_re;
-  const T t_2 = a_im * b_re;
-  const T t_3 = a_im * b_im;
-  const T t_4 = a_re * b_im;
-  const T t_5 = t + t_3;
-  const T t_6 = t - t_3;
+  const T inv_sq = one / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
+  const T inv = detail::square_root<T>(inv_sq);
+  const T t = inv_sq + inv_sq;
+  const T t_2 = a_re * b_re;
+  const T t_3 = a_im * b_re;
+  const T t_4 = a_im * b_im;
+  const T t_5 = a_re * b_im;
+  const T t_6 = t_2 + t_4;
   const T t_7 = t_2 - t_4;
-  const T t_8 = t_2 + t_4;
-  const T cos_a = t_5 * inv;
-  const T sin_a = t_7 * inv;
-  const T t_9 = t_7 * inv2;
-  const T t_10 = t_9 * t_7;
-  const T sin_2a = t_9 * t_5;
-  const T t_11 = t_8 * inv2;
-  const T cos_2a = one - t_10;
-  const T t_12 = cos_2a - t_10;
-  const T cos_3a = cos_a * t_12;
-  const T sin_3a = sin_a * (t_12 + two);
-  const T t_13 = cos_a + cos_a;
-  const T cos_4a = t_13 * cos_3a - cos_2a;
-  const T sin_4a = t_13 * sin_3a - sin_2a;
-  const T cos_5a = t_13 * cos_4a - cos_3a;
-  const T sin_5a = t_13 * sin_4a - sin_3a;
-  const T cos_6a = t_13 * cos_5a - cos_4a;
-  const T sin_6a = t_13 * sin_5a - sin_4a;
-  const T cos_7a = t_13 * cos_6a - cos_5a;
-  const T sin_7a = t_13 * sin_6a - sin_5a;
-  const T cos_g = t_6 * inv;
-  const T sin_2g = t_11 * t_6;
-  const T t_14 = t_11 * t_8;
-  const T sin_g = t_8 * inv;
-  const T cos_2g = one - t_14;
-  const T t_15 = cos_2g - t_14;
-  const T cos_3g = cos_g * t_15;
-  const T sin_3g = sin_g * (t_15 + two);
-  const T t_16 = cos_g + cos_g;
-  const T cos_4g = t_16 * cos_3g - cos_2g;
-  const T sin_4g = t_16 * sin_3g - sin_2g;
-  const T cos_5g = t_16 * cos_4g - cos_3g;
-  const T sin_5g = t_16 * sin_4g - sin_3g;
-  const T cos_6g = t_16 * cos_5g - cos_4g;
-  const T sin_6g = t_16 * sin_5g - sin_4g;
-  const T cos_7g = t_16 * cos_6g - cos_5g;
-  const T sin_7g = t_16 * sin_6g - sin_5g;
-  const T t_17 = aa * bb;
+  const T t_8 = t_3 - t_5;
+  const T t_9 = t_3 + t_5;
+  const T cos_a = t_6 * inv;
+  const T sin_a = t_8 * inv;
+  const T t_10 = t_8 * t;
+  const T t_11 = t_10 * t_8;
+  const T sin_2a = t_10 * t_6;
+  const T t_12 = t_9 * t;
+  const T cos_2a = one - t_11;
+  const T t_13 = cos_2a - t_11;
+  const T cos_3a = cos_a * t_13;
+  const T sin_3a = sin_a * (t_13 + two);
+  const T t_14 = cos_a + cos_a;
+  const T cos_4a = t_14 * cos_3a - cos_2a;
+  const T sin_4a = t_14 * sin_3a - sin_2a;
+  const T cos_5a = t_14 * cos_4a - cos_3a;
+  const T sin_5a = t_14 * sin_4a - sin_3a;
+  const T cos_6a = t_14 * cos_5a - cos_4a;
+  const T sin_6a = t_14 * sin_5a - sin_4a;
+  const T cos_7a = t_14 * cos_6a - cos_5a;
+  const T sin_7a = t_14 * sin_6a - sin_5a;
+  const T cos_g = t_7 * inv;
+  const T sin_2g = t_12 * t_7;
+  const T t_15 = t_12 * t_9;
+  const T sin_g = t_9 * inv;
+  const T cos_2g = one - t_15;
+  const T t_16 = cos_2g - t_15;
+  const T cos_3g = cos_g * t_16;
+  const T sin_3g = sin_g * (t_16 + two);
+  const T t_17 = cos_g + cos_g;
+  const T cos_4g = t_17 * cos_3g - cos_2g;
+  const T sin_4g = t_17 * sin_3g - sin_2g;
+  const T cos_5g = t_17 * cos_4g - cos_3g;
+  const T sin_5g = t_17 * sin_4g - sin_3g;
+  const T cos_6g = t_17 * cos_5g - cos_4g;
+  const T sin_6g = t_17 * sin_5g - sin_4g;
+  const T cos_7g = t_17 * cos_6g - cos_5g;
+  const T sin_7g = t_17 * sin_6g - sin_5g;
+  const T t_18 = aa * bb;
   const T cos_b = aa - bb;
-  const T t_18 = t_17 * inv;
-  const T sin_b = t_18 + t_18;
-  const T t_19 = sin_b * cos_b;
-  const T t_20 = k * t_17;
-  const T cos_2b = one - t_20;
-  const T t_21 = cos_2b - t_20;
-  const T t_22 = t_21 + two;
-  const T cos_3b = cos_b * t_21;
-  const T sin_3b = sin_b * t_22;
-  const T t_23 = t_19 * t_19;
-  const T t_24 = t_19 * cos_2b;
-  const T cos_4b = one - k * t_23;
-  const T t_25 = cos_4b + cos_4b;
-  const T t_26 = t_25 - t_21;
-  const T t_27 = t_25 + t_22;
-  const T cos_5b = cos_b * t_26;
-  const T sin_5b = sin_b * t_27;
-  const T t_28 = sin_3b * sin_3b;
-  const T t_29 = sin_3b * cos_3b;
-  const T cos_6b = one - two * t_28;
-  const T t_30 = cos_6b + cos_6b;
-  const T cos_7b = cos_b * (t_30 - t_26);
-  const T t_31 = k_110 * sin_b * (t_30 + t_27);
+  const T t_19 = t_18 * inv;
+  const T sin_b = t_19 + t_19;
+  const T t_20 = sin_b * cos_b;
+  const T t_21 = k * t_18;
+  const T cos_2b = one - t_21;
+  const T t_22 = cos_2b - t_21;
+  const T t_23 = t_22 + two;
+  const T cos_3b = cos_b * t_22;
+  const T sin_3b = sin_b * t_23;
+  const T t_24 = t_20 * t_20;
+  const T t_25 = t_20 * cos_2b;
+  const T cos_4b = one - k * t_24;
+  const T t_26 = cos_4b + cos_4b;
+  const T t_27 = t_26 - t_22;
+  const T t_28 = t_26 + t_23;
+  const T cos_5b = cos_b * t_27;
+  const T sin_5b = sin_b * t_28;
+  const T t_29 = sin_3b * sin_3b;
+  const T t_30 = sin_3b * cos_3b;
+  const T cos_6b = one - two * t_29;
+  const T t_31 = cos_6b + cos_6b;
+  const T cos_7b = cos_b * (t_31 - t_27);
+  const T t_32 = k_110 * sin_b * (t_31 + t_28);
   const T c3 = c[3];
   const T c1 = c[1];
   const T v_1_1c = cos_g * c3 - sin_g * c1;
@@ -316,18 +316,18 @@ constexpr void rotate_quaternion_l7(const T* q, const T* c, T* out) noexcept {
   const T v_2_2c = cos_2g * c8 - sin_2g * c4;
   const T v_2_2s = sin_2g * c8 + cos_2g * c4;
   const T c6 = c[6];
-  const T t_32 = c6 - k_2 * v_2_2c;
-  const T t_33 = k_4 * t_19;
-  const T p_2_2 = k_3 * t_17 * t_32 + t_33 * v_2_1c;
+  const T t_33 = c6 - k_2 * v_2_2c;
+  const T t_34 = k_4 * t_20;
+  const T p_2_2 = k_3 * t_18 * t_33 + t_34 * v_2_1c;
   out[6] = c6 - p_2_2;                                                   // l=2 m=0
-  const T q_2_2 = t_33 * t_32 + cos_2b * v_2_1c;
-  const T t_34 = v_2_2c + k_2 * p_2_2;
+  const T q_2_2 = t_34 * t_33 + cos_2b * v_2_1c;
+  const T t_35 = v_2_2c + k_2 * p_2_2;
   const T p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
   const T q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
   out[7] = cos_a * q_2_2 - sin_a * q_2_1;                                // l=2 m=1
   out[5] = sin_a * q_2_2 + cos_a * q_2_1;                                // l=2 m=-1
-  out[8] = cos_2a * t_34 - sin_2a * p_2_1;                               // l=2 m=2
-  out[4] = sin_2a * t_34 + cos_2a * p_2_1;                               // l=2 m=-2
+  out[8] = cos_2a * t_35 - sin_2a * p_2_1;                               // l=2 m=2
+  out[4] = sin_2a * t_35 + cos_2a * p_2_1;                               // l=2 m=-2
   const T c13 = c[13];
   const T c11 = c[11];
   const T v_3_1c = cos_g * c13 - sin_g * c11;
@@ -340,33 +340,33 @@ constexpr void rotate_quaternion_l7(const T* q, const T* c, T* out) noexcept {
   const T c9 = c[9];
   const T v_3_3c = cos_3g * c15 - sin_3g * c9;
   const T v_3_3s = sin_3g * c15 + cos_3g * c9;
-  const T t_35 = k_5 * v_3_1c + v_3_3c;
-  const T t_36 = v_3_1c - k_5 * v_3_3c;
+  const T t_36 = k_5 * v_3_1c + v_3_3c;
+  const T t_37 = v_3_1c - k_5 * v_3_3c;
   const T c12 = c[12];
-  const T t_37 = k_6 * c12 + v_3_2c;
-  const T t_38 = c12 - k_6 * v_3_2c;
-  const T t_39 = k_8 * sin_b;
-  const T p_3_1 = k_7 * cos_b * t_35 + t_39 * t_37;
-  const T q_3_1 = k_9 * cos_b * t_37 - t_39 * t_35;
-  const T t_40 = k_8 * sin_3b;
-  const T p_3_3 = k_7 * cos_3b * t_36 + t_40 * t_38;
-  const T q_3_3 = k_9 * cos_3b * t_38 - t_40 * t_36;
-  const T t_41 = k_5 * p_3_1 + p_3_3;
-  const T t_42 = p_3_1 - k_5 * p_3_3;
+  const T t_38 = k_6 * c12 + v_3_2c;
+  const T t_39 = c12 - k_6 * v_3_2c;
+  const T t_40 = k_8 * sin_b;
+  const T p_3_1 = k_7 * cos_b * t_36 + t_40 * t_38;
+  const T q_3_1 = k_9 * cos_b * t_38 - t_40 * t_36;
+  const T t_41 = k_8 * sin_3b;
+  const T p_3_3 = k_7 * cos_3b * t_37 + t_41 * t_39;
+  const T q_3_3 = k_9 * cos_3b * t_39 - t_41 * t_37;
+  const T t_42 = k_5 * p_3_1 + p_3_3;
+  const T t_43 = p_3_1 - k_5 * p_3_3;
   out[12] = k_6 * q_3_1 + q_3_3;                                         // l=3 m=0
-  const T t_43 = q_3_1 - k_6 * q_3_3;
-  const T t_44 = v_3_1s - k_6 * v_3_3s;
-  const T t_45 = k_11 * t_19;
-  const T p_3_2 = k_10 * t_17 * t_44 + t_45 * v_3_2s;
-  const T q_3_2 = t_45 * t_44 + cos_2b * v_3_2s;
-  const T t_46 = v_3_1s - p_3_2;
-  const T t_47 = v_3_3s + k_6 * p_3_2;
-  out[13] = cos_a * t_41 - sin_a * t_46;                                 // l=3 m=1
-  out[11] = sin_a * t_41 + cos_a * t_46;                                 // l=3 m=-1
-  out[14] = cos_2a * t_43 - sin_2a * q_3_2;                              // l=3 m=2
-  out[10] = sin_2a * t_43 + cos_2a * q_3_2;                              // l=3 m=-2
-  out[15] = cos_3a * t_42 - sin_3a * t_47;                               // l=3 m=3
-  out[9] = sin_3a * t_42 + cos_3a * t_47;                                // l=3 m=-3
+  const T t_44 = q_3_1 - k_6 * q_3_3;
+  const T t_45 = v_3_1s - k_6 * v_3_3s;
+  const T t_46 = k_11 * t_20;
+  const T p_3_2 = k_10 * t_18 * t_45 + t_46 * v_3_2s;
+  const T q_3_2 = t_46 * t_45 + cos_2b * v_3_2s;
+  const T t_47 = v_3_1s - p_3_2;
+  const T t_48 = v_3_3s + k_6 * p_3_2;
+  out[13] = cos_a * t_42 - sin_a * t_47;                                 // l=3 m=1
+  out[11] = sin_a * t_42 + cos_a * t_47;                                 // l=3 m=-1
+  out[14] = cos_2a * t_44 - sin_2a * q_3_2;                              // l=3 m=2
+  out[10] = sin_2a * t_44 + cos_2a * q_3_2;                              // l=3 m=-2
+  out[15] = cos_3a * t_43 - sin_3a * t_48;                               // l=3 m=3
+  out[9] = sin_3a * t_43 + cos_3a * t_48;                                // l=3 m=-3
   const T c21 = c[21];
   const T c19 = c[19];
   const T v_4_1c = cos_g * c21 - sin_g * c19;
@@ -384,45 +384,45 @@ constexpr void rotate_quaternion_l7(const T* q, const T* c, T* out) noexcept {
   const T v_4_4c = cos_4g * c24 - sin_4g * c16;
   const T v_4_4s = sin_4g * c24 + cos_4g * c16;
   const T c20 = c[20];
-  const T t_48 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
-  const T t_49 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
-  const T t_50 = k_16 * v_4_1c + v_4_3c;
-  const T t_51 = v_4_1c - k_16 * v_4_3c;
-  const T t_52 = k_17 * t_17;
-  const T t_53 = k_18 * t_19;
-  const T q_4_2 = k_19 * cos_2b * t_50 - t_53 * t_48;
-  const T p_4_2 = t_52 * t_48 - t_53 * t_50;
-  const T t_54 = k_21 * t_24;
-  const T p_4_4 = k_20 * t_23 * t_49 + t_54 * t_51;
-  const T q_4_4 = t_54 * t_49 + k_19 * cos_4b * t_51;
+  const T t_49 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
+  const T t_50 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
+  const T t_51 = k_16 * v_4_1c + v_4_3c;
+  const T t_52 = v_4_1c - k_16 * v_4_3c;
+  const T t_53 = k_17 * t_18;
+  const T t_54 = k_18 * t_20;
+  const T q_4_2 = k_19 * cos_2b * t_51 - t_54 * t_49;
+  const T p_4_2 = t_53 * t_49 - t_54 * t_51;
+  const T t_55 = k_21 * t_25;
+  const T p_4_4 = k_20 * t_24 * t_50 + t_55 * t_52;
+  const T q_4_4 = t_55 * t_50 + k_19 * cos_4b * t_52;
   out[20] = c20 - (p_4_4 - k_12 * p_4_2);                                // l=4 m=0
-  const T t_55 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
-  const T t_56 = v_4_4c - (p_4_2 + k_15 * p_4_4);
-  const T t_57 = k_16 * q_4_2 + q_4_4;
-  const T t_58 = q_4_2 - k_16 * q_4_4;
-  const T t_59 = k_16 * v_4_2s + v_4_4s;
-  const T t_60 = v_4_2s - k_16 * v_4_4s;
-  const T t_61 = k_22 * v_4_1s + v_4_3s;
-  const T t_62 = v_4_3s - k_23 * v_4_1s;
-  const T t_63 = k_24 * sin_b;
-  const T p_4_1 = k_19 * cos_b * t_59 + t_63 * t_61;
-  const T t_64 = k_25 * cos_b;
-  const T q_4_1 = t_64 * t_61 - t_63 * t_59;
-  const T t_65 = k_26 * sin_3b;
-  const T p_4_3 = k_19 * cos_3b * t_60 - t_65 * t_62;
-  const T q_4_3 = t_65 * t_60 + k_27 * cos_3b * t_62;
-  const T t_66 = k_16 * p_4_1 + p_4_3;
-  const T t_67 = p_4_1 - k_16 * p_4_3;
-  const T t_68 = q_4_1 + q_4_3;
-  const T t_69 = k_22 * q_4_1 - k_23 * q_4_3;
-  out[21] = cos_a * t_57 - sin_a * t_69;                                 // l=4 m=1
-  out[19] = sin_a * t_57 + cos_a * t_69;                                 // l=4 m=-1
-  out[22] = cos_2a * t_55 - sin_2a * t_66;                               // l=4 m=2
-  out[18] = sin_2a * t_55 + cos_2a * t_66;                               // l=4 m=-2
-  out[23] = cos_3a * t_58 - sin_3a * t_68;                               // l=4 m=3
-  out[17] = sin_3a * t_58 + cos_3a * t_68;                               // l=4 m=-3
-  out[24] = cos_4a * t_56 - sin_4a * t_67;                               // l=4 m=4
-  out[16] = sin_4a * t_56 + cos_4a * t_67;                               // l=4 m=-4
+  const T t_56 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
+  const T t_57 = v_4_4c - (p_4_2 + k_15 * p_4_4);
+  const T t_58 = k_16 * q_4_2 + q_4_4;
+  const T t_59 = q_4_2 - k_16 * q_4_4;
+  const T t_60 = k_16 * v_4_2s + v_4_4s;
+  const T t_61 = v_4_2s - k_16 * v_4_4s;
+  const T t_62 = k_22 * v_4_1s + v_4_3s;
+  const T t_63 = v_4_3s - k_23 * v_4_1s;
+  const T t_64 = k_24 * sin_b;
+  const T p_4_1 = k_19 * cos_b * t_60 + t_64 * t_62;
+  const T t_65 = k_25 * cos_b;
+  const T q_4_1 = t_65 * t_62 - t_64 * t_60;
+  const T t_66 = k_26 * sin_3b;
+  const T p_4_3 = k_19 * cos_3b * t_61 - t_66 * t_63;
+  const T q_4_3 = t_66 * t_61 + k_27 * cos_3b * t_63;
+  const T t_67 = k_16 * p_4_1 + p_4_3;
+  const T t_68 = p_4_1 - k_16 * p_4_3;
+  const T t_69 = q_4_1 + q_4_3;
+  const T t_70 = k_22 * q_4_1 - k_23 * q_4_3;
+  out[21] = cos_a * t_58 - sin_a * t_70;                                 // l=4 m=1
+  out[19] = sin_a * t_58 + cos_a * t_70;                                 // l=4 m=-1
+  out[22] = cos_2a * t_56 - sin_2a * t_67;                               // l=4 m=2
+  out[18] = sin_2a * t_56 + cos_2a * t_67;                               // l=4 m=-2
+  out[23] = cos_3a * t_59 - sin_3a * t_69;                               // l=4 m=3
+  out[17] = sin_3a * t_59 + cos_3a * t_69;                               // l=4 m=-3
+  out[24] = cos_4a * t_57 - sin_4a * t_68;                               // l=4 m=4
+  out[16] = sin_4a * t_57 + cos_4a * t_68;                               // l=4 m=-4
   const T c31 = c[31];
   const T c29 = c[29];
   const T v_5_1c = cos_g * c31 - sin_g * c29;
@@ -443,55 +443,55 @@ constexpr void rotate_quaternion_l7(const T* q, const T* c, T* out) noexcept {
   const T c25 = c[25];
   const T v_5_5c = cos_5g * c35 - sin_5g * c25;
   const T v_5_5s = sin_5g * c35 + cos_5g * c25;
-  const T t_70 = k_29 * v_5_3c - k_28 * v_5_1c + v_5_5c;
-  const T t_71 = v_5_1c + k_30 * t_70;
-  const T t_72 = v_5_3c - k_31 * t_70;
-  const T t_73 = v_5_5c - k_7 * t_70;
+  const T t_71 = k_29 * v_5_3c - k_28 * v_5_1c + v_5_5c;
+  const T t_72 = v_5_1c + k_30 * t_71;
+  const T t_73 = v_5_3c - k_31 * t_71;
+  const T t_74 = v_5_5c - k_7 * t_71;
   const T c30 = c[30];
-  const T t_74 = k_32 * c30 + v_5_2c + k_33 * v_5_4c;
-  const T t_75 = v_5_4c - k_34 * c30 - k_35 * v_5_2c;
-  const T t_76 = c30 - k_36 * v_5_2c + k_37 * v_5_4c;
-  const T t_77 = k_38 * sin_b;
-  const T q_5_1 = t_64 * t_74 - t_77 * t_71;
-  const T p_5_1 = cos_b * t_71 + t_77 * t_74;
-  const T t_78 = k_39 * sin_3b;
-  const T q_5_3 = t_78 * t_72 + k_40 * cos_3b * t_75;
-  const T p_5_3 = cos_3b * t_72 - t_78 * t_75;
-  const T t_79 = k_26 * sin_5b;
-  const T q_5_5 = k_41 * cos_5b * t_76 - t_79 * t_73;
-  const T p_5_5 = cos_5b * t_73 + t_79 * t_76;
-  const T t_80 = k_29 * p_5_3 - k_28 * p_5_1 + p_5_5;
-  const T t_81 = p_5_1 + k_30 * t_80;
-  const T t_82 = p_5_3 - k_31 * t_80;
-  const T t_83 = p_5_5 - k_7 * t_80;
+  const T t_75 = k_32 * c30 + v_5_2c + k_33 * v_5_4c;
+  const T t_76 = v_5_4c - k_34 * c30 - k_35 * v_5_2c;
+  const T t_77 = c30 - k_36 * v_5_2c + k_37 * v_5_4c;
+  const T t_78 = k_38 * sin_b;
+  const T q_5_1 = t_65 * t_75 - t_78 * t_72;
+  const T p_5_1 = cos_b * t_72 + t_78 * t_75;
+  const T t_79 = k_39 * sin_3b;
+  const T q_5_3 = t_79 * t_73 + k_40 * cos_3b * t_76;
+  const T p_5_3 = cos_3b * t_73 - t_79 * t_76;
+  const T t_80 = k_26 * sin_5b;
+  const T q_5_5 = k_41 * cos_5b * t_77 - t_80 * t_74;
+  const T p_5_5 = cos_5b * t_74 + t_80 * t_77;
+  const T t_81 = k_29 * p_5_3 - k_28 * p_5_1 + p_5_5;
+  const T t_82 = p_5_1 + k_30 * t_81;
+  const T t_83 = p_5_3 - k_31 * t_81;
+  const T t_84 = p_5_5 - k_7 * t_81;
   out[30] = k_32 * q_5_1 - k_34 * q_5_3 + q_5_5;                         // l=5 m=0
-  const T t_84 = q_5_1 - k_35 * q_5_3 - k_36 * q_5_5;
-  const T t_85 = k_33 * q_5_1 + q_5_3 + k_37 * q_5_5;
-  const T t_86 = v_5_1s + k_42 * v_5_3s - k_43 * v_5_5s;
-  const T t_87 = v_5_3s - k_44 * v_5_1s - k_45 * v_5_5s;
-  const T t_88 = k_2 * v_5_2s + v_5_4s;
-  const T t_89 = v_5_2s - k_2 * v_5_4s;
-  const T t_90 = k_46 * t_19;
-  const T p_5_2 = t_52 * t_86 + t_90 * t_88;
-  const T q_5_2 = t_90 * t_86 + k_47 * cos_2b * t_88;
-  const T t_91 = k_49 * t_24;
-  const T p_5_4 = k_48 * t_23 * t_87 - t_91 * t_89;
-  const T q_5_4 = k_47 * cos_4b * t_89 - t_91 * t_87;
-  const T t_92 = v_5_1s - (p_5_2 - k_44 * p_5_4);
-  const T t_93 = v_5_3s - (k_42 * p_5_2 + p_5_4);
-  const T t_94 = v_5_5s + (k_43 * p_5_2 + k_45 * p_5_4);
-  const T t_95 = k_2 * q_5_2 + q_5_4;
-  const T t_96 = q_5_2 - k_2 * q_5_4;
-  out[31] = cos_a * t_81 - sin_a * t_92;                                 // l=5 m=1
-  out[29] = sin_a * t_81 + cos_a * t_92;                                 // l=5 m=-1
-  out[32] = cos_2a * t_84 - sin_2a * t_95;                               // l=5 m=2
-  out[28] = sin_2a * t_84 + cos_2a * t_95;                               // l=5 m=-2
-  out[33] = cos_3a * t_82 - sin_3a * t_93;                               // l=5 m=3
-  out[27] = sin_3a * t_82 + cos_3a * t_93;                               // l=5 m=-3
-  out[34] = cos_4a * t_85 - sin_4a * t_96;                               // l=5 m=4
-  out[26] = sin_4a * t_85 + cos_4a * t_96;                               // l=5 m=-4
-  out[35] = cos_5a * t_83 - sin_5a * t_94;                               // l=5 m=5
-  out[25] = sin_5a * t_83 + cos_5a * t_94;                               // l=5 m=-5
+  const T t_85 = q_5_1 - k_35 * q_5_3 - k_36 * q_5_5;
+  const T t_86 = k_33 * q_5_1 + q_5_3 + k_37 * q_5_5;
+  const T t_87 = v_5_1s + k_42 * v_5_3s - k_43 * v_5_5s;
+  const T t_88 = v_5_3s - k_44 * v_5_1s - k_45 * v_5_5s;
+  const T t_89 = k_2 * v_5_2s + v_5_4s;
+  const T t_90 = v_5_2s - k_2 * v_5_4s;
+  const T t_91 = k_46 * t_20;
+  const T p_5_2 = t_53 * t_87 + t_91 * t_89;
+  const T q_5_2 = t_91 * t_87 + k_47 * cos_2b * t_89;
+  const T t_92 = k_49 * t_25;
+  const T p_5_4 = k_48 * t_24 * t_88 - t_92 * t_90;
+  const T q_5_4 = k_47 * cos_4b * t_90 - t_92 * t_88;
+  const T t_93 = v_5_1s - (p_5_2 - k_44 * p_5_4);
+  const T t_94 = v_5_3s - (k_42 * p_5_2 + p_5_4);
+  const T t_95 = v_5_5s + (k_43 * p_5_2 + k_45 * p_5_4);
+  const T t_96 = k_2 * q_5_2 + q_5_4;
+  const T t_97 = q_5_2 - k_2 * q_5_4;
+  out[31] = cos_a * t_82 - sin_a * t_93;                                 // l=5 m=1
+  out[29] = sin_a * t_82 + cos_a * t_93;                                 // l=5 m=-1
+  out[32] = cos_2a * t_85 - sin_2a * t_96;                               // l=5 m=2
+  out[28] = sin_2a * t_85 + cos_2a * t_96;                               // l=5 m=-2
+  out[33] = cos_3a * t_83 - sin_3a * t_94;                               // l=5 m=3
+  out[27] = sin_3a * t_83 + cos_3a * t_94;                               // l=5 m=-3
+  out[34] = cos_4a * t_86 - sin_4a * t_97;                               // l=5 m=4
+  out[26] = sin_4a * t_86 + cos_4a * t_97;                               // l=5 m=-4
+  out[35] = cos_5a * t_84 - sin_5a * t_95;                               // l=5 m=5
+  out[25] = sin_5a * t_84 + cos_5a * t_95;                               // l=5 m=-5
   const T c43 = c[43];
   const T c41 = c[41];
   const T v_6_1c = cos_g * c43 - sin_g * c41;
@@ -517,69 +517,69 @@ constexpr void rotate_quaternion_l7(const T* q, const T* c, T* out) noexcept {
   const T v_6_6c = cos_6g * c48 - sin_6g * c36;
   const T v_6_6s = sin_6g * c48 + cos_6g * c36;
   const T c42 = c[42];
-  const T t_97 = v_6_6c - k_50 * c42 - k_51 * v_6_2c - k_52 * v_6_4c;
-  const T t_98 = v_6_4c - k_53 * c42 - k_54 * v_6_2c - k_55 * v_6_6c;
-  const T t_99 = v_6_2c - k_28 * c42 - k_56 * v_6_4c + k_57 * v_6_6c;
-  const T t_100 = k_52 * v_6_1c + k_58 * v_6_3c + v_6_5c;
-  const T t_101 = k_59 * v_6_1c + v_6_3c - k_60 * v_6_5c;
-  const T t_102 = v_6_1c - k_61 * v_6_3c + k_62 * v_6_5c;
-  const T t_103 = k_64 * t_19;
-  const T p_6_2 = k_63 * t_17 * t_97 - t_103 * t_100;
-  const T t_104 = k_126 * t_19;
-  const T q_6_2 = k_65 * cos_2b * t_100 - t_103 * t_97;
-  const T t_105 = k_67 * t_24;
-  const T p_6_4 = k_66 * t_23 * t_98 - t_105 * t_101;
-  const T t_106 = k_128 * t_24;
-  const T q_6_4 = k_68 * cos_4b * t_101 - t_105 * t_98;
-  const T t_107 = k_70 * t_29;
-  const T p_6_6 = k_69 * t_28 * t_99 - t_107 * t_102;
-  const T t_108 = k_130 * t_29;
-  const T q_6_6 = k_71 * cos_6b * t_102 - t_107 * t_99;
+  const T t_98 = v_6_6c - k_50 * c42 - k_51 * v_6_2c - k_52 * v_6_4c;
+  const T t_99 = v_6_4c - k_53 * c42 - k_54 * v_6_2c - k_55 * v_6_6c;
+  const T t_100 = v_6_2c - k_28 * c42 - k_56 * v_6_4c + k_57 * v_6_6c;
+  const T t_101 = k_52 * v_6_1c + k_58 * v_6_3c + v_6_5c;
+  const T t_102 = k_59 * v_6_1c + v_6_3c - k_60 * v_6_5c;
+  const T t_103 = v_6_1c - k_61 * v_6_3c + k_62 * v_6_5c;
+  const T t_104 = k_64 * t_20;
+  const T p_6_2 = k_63 * t_18 * t_98 - t_104 * t_101;
+  const T t_105 = k_126 * t_20;
+  const T q_6_2 = k_65 * cos_2b * t_101 - t_104 * t_98;
+  const T t_106 = k_67 * t_25;
+  const T p_6_4 = k_66 * t_24 * t_99 - t_106 * t_102;
+  const T t_107 = k_128 * t_25;
+  const T q_6_4 = k_68 * cos_4b * t_102 - t_106 * t_99;
+  const T t_108 = k_70 * t_30;
+  const T p_6_6 = k_69 * t_29 * t_100 - t_108 * t_103;
+  const T t_109 = k_130 * t_30;
+  const T q_6_6 = k_71 * cos_6b * t_103 - t_108 * t_100;
   out[42] = c42 + (k_50 * p_6_2 + k_53 * p_6_4 + k_28 * p_6_6);          // l=6 m=0
-  const T t_109 = v_6_2c - (p_6_6 - k_51 * p_6_2 - k_54 * p_6_4);
-  const T t_110 = v_6_4c - (p_6_4 - k_52 * p_6_2 - k_56 * p_6_6);
-  const T t_111 = v_6_6c - (p_6_2 - k_55 * p_6_4 + k_57 * p_6_6);
-  const T t_112 = k_52 * q_6_2 + k_59 * q_6_4 + q_6_6;
-  const T t_113 = k_58 * q_6_2 + q_6_4 - k_61 * q_6_6;
-  const T t_114 = q_6_2 - k_60 * q_6_4 + k_62 * q_6_6;
-  const T t_115 = k_72 * v_6_2s + k_73 * v_6_4s + v_6_6s;
-  const T t_116 = k_74 * v_6_2s + v_6_4s - k_75 * v_6_6s;
-  const T t_117 = v_6_2s - k_76 * v_6_4s + k_77 * v_6_6s;
-  const T t_118 = v_6_3s - k_59 * v_6_1s + k_60 * v_6_5s;
-  const T t_119 = v_6_1s + k_78 * t_118;
-  const T t_120 = v_6_3s - k_7 * t_118;
-  const T t_121 = v_6_5s - k_79 * t_118;
-  const T t_122 = k_80 * sin_b;
-  const T p_6_1 = k_71 * cos_b * t_115 + t_122 * t_119;
-  const T q_6_1 = t_122 * t_115 - cos_b * t_119;
-  const T t_123 = k_104 * sin_b;
-  const T t_124 = k_81 * sin_3b;
-  const T p_6_3 = k_68 * cos_3b * t_116 + t_124 * t_120;
-  const T q_6_3 = t_124 * t_116 - cos_3b * t_120;
-  const T t_125 = k_106 * sin_3b;
-  const T t_126 = k_79 * sin_5b;
-  const T p_6_5 = k_65 * cos_5b * t_117 + t_126 * t_121;
-  const T q_6_5 = t_126 * t_117 - cos_5b * t_121;
-  const T t_127 = k_108 * sin_5b;
-  const T t_128 = k_72 * p_6_1 + k_74 * p_6_3 + p_6_5;
-  const T t_129 = k_73 * p_6_1 + p_6_3 - k_76 * p_6_5;
-  const T t_130 = p_6_1 - k_75 * p_6_3 + k_77 * p_6_5;
-  const T t_131 = q_6_3 - k_59 * q_6_1 + k_60 * q_6_5;
-  const T t_132 = q_6_1 + k_78 * t_131;
-  const T t_133 = q_6_3 - k_7 * t_131;
-  const T t_134 = q_6_5 - k_79 * t_131;
-  out[43] = cos_a * t_112 + sin_a * t_132;                               // l=6 m=1
-  out[41] = sin_a * t_112 - cos_a * t_132;                               // l=6 m=-1
-  out[44] = cos_2a * t_109 - sin_2a * t_128;                             // l=6 m=2
-  out[40] = sin_2a * t_109 + cos_2a * t_128;                             // l=6 m=-2
-  out[45] = cos_3a * t_113 + sin_3a * t_133;                             // l=6 m=3
-  out[39] = sin_3a * t_113 - cos_3a * t_133;                             // l=6 m=-3
-  out[46] = cos_4a * t_110 - sin_4a * t_129;                             // l=6 m=4
-  out[38] = sin_4a * t_110 + cos_4a * t_129;                             // l=6 m=-4
-  out[47] = cos_5a * t_114 + sin_5a * t_134;                             // l=6 m=5
-  out[37] = sin_5a * t_114 - cos_5a * t_134;                             // l=6 m=-5
-  out[48] = cos_6a * t_111 - sin_6a * t_130;                             // l=6 m=6
-  out[36] = sin_6a * t_111 + cos_6a * t_130;                             // l=6 m=-6
+  const T t_110 = v_6_2c - (p_6_6 - k_51 * p_6_2 - k_54 * p_6_4);
+  const T t_111 = v_6_4c - (p_6_4 - k_52 * p_6_2 - k_56 * p_6_6);
+  const T t_112 = v_6_6c - (p_6_2 - k_55 * p_6_4 + k_57 * p_6_6);
+  const T t_113 = k_52 * q_6_2 + k_59 * q_6_4 + q_6_6;
+  const T t_114 = k_58 * q_6_2 + q_6_4 - k_61 * q_6_6;
+  const T t_115 = q_6_2 - k_60 * q_6_4 + k_62 * q_6_6;
+  const T t_116 = k_72 * v_6_2s + k_73 * v_6_4s + v_6_6s;
+  const T t_117 = k_74 * v_6_2s + v_6_4s - k_75 * v_6_6s;
+  const T t_118 = v_6_2s - k_76 * v_6_4s + k_77 * v_6_6s;
+  const T t_119 = v_6_3s - k_59 * v_6_1s + k_60 * v_6_5s;
+  const T t_120 = v_6_1s + k_78 * t_119;
+  const T t_121 = v_6_3s - k_7 * t_119;
+  const T t_122 = v_6_5s - k_79 * t_119;
+  const T t_123 = k_80 * sin_b;
+  const T p_6_1 = k_71 * cos_b * t_116 + t_123 * t_120;
+  const T q_6_1 = t_123 * t_116 - cos_b * t_120;
+  const T t_124 = k_104 * sin_b;
+  const T t_125 = k_81 * sin_3b;
+  const T p_6_3 = k_68 * cos_3b * t_117 + t_125 * t_121;
+  const T q_6_3 = t_125 * t_117 - cos_3b * t_121;
+  const T t_126 = k_106 * sin_3b;
+  const T t_127 = k_79 * sin_5b;
+  const T p_6_5 = k_65 * cos_5b * t_118 + t_127 * t_122;
+  const T q_6_5 = t_127 * t_118 - cos_5b * t_122;
+  const T t_128 = k_108 * sin_5b;
+  const T t_129 = k_72 * p_6_1 + k_74 * p_6_3 + p_6_5;
+  const T t_130 = k_73 * p_6_1 + p_6_3 - k_76 * p_6_5;
+  const T t_131 = p_6_1 - k_75 * p_6_3 + k_77 * p_6_5;
+  const T t_132 = q_6_3 - k_59 * q_6_1 + k_60 * q_6_5;
+  const T t_133 = q_6_1 + k_78 * t_132;
+  const T t_134 = q_6_3 - k_7 * t_132;
+  const T t_135 = q_6_5 - k_79 * t_132;
+  out[43] = cos_a * t_113 + sin_a * t_133;                               // l=6 m=1
+  out[41] = sin_a * t_113 - cos_a * t_133;                               // l=6 m=-1
+  out[44] = cos_2a * t_110 - sin_2a * t_129;                             // l=6 m=2
+  out[40] = sin_2a * t_110 + cos_2a * t_129;                             // l=6 m=-2
+  out[45] = cos_3a * t_114 + sin_3a * t_134;                             // l=6 m=3
+  out[39] = sin_3a * t_114 - cos_3a * t_134;                             // l=6 m=-3
+  out[46] = cos_4a * t_111 - sin_4a * t_130;                             // l=6 m=4
+  out[38] = sin_4a * t_111 + cos_4a * t_130;                             // l=6 m=-4
+  out[47] = cos_5a * t_115 + sin_5a * t_135;                             // l=6 m=5
+  out[37] = sin_5a * t_115 - cos_5a * t_135;                             // l=6 m=-5
+  out[48] = cos_6a * t_112 - sin_6a * t_131;                             // l=6 m=6
+  out[36] = sin_6a * t_112 + cos_6a * t_131;                             // l=6 m=-6
   const T c57 = c[57];
   const T c55 = c[55];
   const T v_7_1c = cos_g * c57 - sin_g * c55;
@@ -608,70 +608,70 @@ constexpr void rotate_quaternion_l7(const T* q, const T* c, T* out) noexcept {
   const T c49 = c[49];
   const T v_7_7c = cos_7g * c63 - sin_7g * c49;
   const T v_7_7s = sin_7g * c63 + cos_7g * c49;
-  const T t_135 = v_7_1c + k_82 * v_7_5c + k_83 * v_7_7c;
-  const T t_136 = v_7_3c + k_84 * v_7_5c - k_85 * v_7_7c;
-  const T t_137 = v_7_1c - k_86 * t_135 - k_87 * t_136;
-  const T t_138 = v_7_3c - k_87 * t_135 - k_88 * t_136;
-  const T t_139 = v_7_5c - k_89 * t_135 - k_90 * t_136;
-  const T t_140 = v_7_7c - k_91 * t_135 + k_92 * t_136;
+  const T t_136 = v_7_1c + k_82 * v_7_5c + k_83 * v_7_7c;
+  const T t_137 = v_7_3c + k_84 * v_7_5c - k_85 * v_7_7c;
+  const T t_138 = v_7_1c - k_86 * t_136 - k_87 * t_137;
+  const T t_139 = v_7_3c - k_87 * t_136 - k_88 * t_137;
+  const T t_140 = v_7_5c - k_89 * t_136 - k_90 * t_137;
+  const T t_141 = v_7_7c - k_91 * t_136 + k_92 * t_137;
   const T c56 = c[56];
-  const T t_141 = k_44 * c56 + v_7_2c + k_93 * v_7_4c + k_94 * v_7_6c;
-  const T t_142 = k_97 * v_7_4c - k_95 * c56 - k_96 * v_7_2c + v_7_6c;
-  const T t_143 = v_7_4c - k_98 * c56 - k_99 * v_7_2c - k_100 * v_7_6c;
-  const T t_144 = v_7_2c - k_101 * c56 - k_102 * v_7_4c + k_103 * v_7_6c;
-  const T p_7_1 = cos_b * t_137 - t_123 * t_141;
-  const T q_7_1 = t_123 * t_137 + k_105 * cos_b * t_141;
-  const T p_7_3 = cos_3b * t_138 + t_125 * t_142;
-  const T q_7_3 = k_107 * cos_3b * t_142 - t_125 * t_138;
-  const T p_7_5 = cos_5b * t_139 + t_127 * t_143;
-  const T q_7_5 = k_109 * cos_5b * t_143 - t_127 * t_139;
-  const T p_7_7 = cos_7b * t_140 + t_31 * t_144;
-  const T q_7_7 = k_111 * cos_7b * t_144 - t_31 * t_140;
-  const T t_145 = p_7_1 + k_82 * p_7_5 + k_83 * p_7_7;
-  const T t_146 = p_7_3 + k_84 * p_7_5 - k_85 * p_7_7;
-  const T t_147 = p_7_1 - k_86 * t_145 - k_87 * t_146;
-  const T t_148 = p_7_3 - k_87 * t_145 - k_88 * t_146;
-  const T t_149 = p_7_5 - k_89 * t_145 - k_90 * t_146;
-  const T t_150 = p_7_7 - k_91 * t_145 + k_92 * t_146;
+  const T t_142 = k_44 * c56 + v_7_2c + k_93 * v_7_4c + k_94 * v_7_6c;
+  const T t_143 = k_97 * v_7_4c - k_95 * c56 - k_96 * v_7_2c + v_7_6c;
+  const T t_144 = v_7_4c - k_98 * c56 - k_99 * v_7_2c - k_100 * v_7_6c;
+  const T t_145 = v_7_2c - k_101 * c56 - k_102 * v_7_4c + k_103 * v_7_6c;
+  const T p_7_1 = cos_b * t_138 - t_124 * t_142;
+  const T q_7_1 = t_124 * t_138 + k_105 * cos_b * t_142;
+  const T p_7_3 = cos_3b * t_139 + t_126 * t_143;
+  const T q_7_3 = k_107 * cos_3b * t_143 - t_126 * t_139;
+  const T p_7_5 = cos_5b * t_140 + t_128 * t_144;
+  const T q_7_5 = k_109 * cos_5b * t_144 - t_128 * t_140;
+  const T p_7_7 = cos_7b * t_141 + t_32 * t_145;
+  const T q_7_7 = k_111 * cos_7b * t_145 - t_32 * t_141;
+  const T t_146 = p_7_1 + k_82 * p_7_5 + k_83 * p_7_7;
+  const T t_147 = p_7_3 + k_84 * p_7_5 - k_85 * p_7_7;
+  const T t_148 = p_7_1 - k_86 * t_146 - k_87 * t_147;
+  const T t_149 = p_7_3 - k_87 * t_146 - k_88 * t_147;
+  const T t_150 = p_7_5 - k_89 * t_146 - k_90 * t_147;
+  const T t_151 = p_7_7 - k_91 * t_146 + k_92 * t_147;
   out[56] = k_44 * q_7_1 - k_95 * q_7_3 - k_98 * q_7_5 - k_101 * q_7_7;  // l=7 m=0
-  const T t_151 = q_7_1 - k_96 * q_7_3 - k_99 * q_7_5 + q_7_7;
-  const T t_152 = k_93 * q_7_1 + k_97 * q_7_3 + q_7_5 - k_102 * q_7_7;
-  const T t_153 = k_94 * q_7_1 + q_7_3 - k_100 * q_7_5 + k_103 * q_7_7;
-  const T t_154 = v_7_7s - k_112 * v_7_1s - k_113 * v_7_3s - k_114 * v_7_5s;
-  const T t_155 = k_116 * v_7_3s - k_115 * v_7_1s + v_7_5s - k_117 * v_7_7s;
-  const T t_156 = v_7_3s - k_2 * v_7_1s - k_118 * v_7_5s + k_119 * v_7_7s;
-  const T t_157 = k_121 * v_7_4s - k_120 * v_7_2s + v_7_6s;
-  const T t_158 = v_7_2s + k_122 * t_157;
-  const T p_7_2 = k_125 * t_17 * t_154 - t_104 * t_158;
-  const T q_7_2 = t_104 * t_154 - cos_2b * t_158;
-  const T t_159 = v_7_4s - k_123 * t_157;
-  const T t_160 = v_7_6s - k_124 * t_157;
-  const T p_7_4 = k_127 * t_23 * t_155 - t_106 * t_159;
-  const T q_7_4 = t_106 * t_155 - cos_4b * t_159;
-  const T p_7_6 = k_129 * t_28 * t_156 - t_108 * t_160;
-  const T q_7_6 = t_108 * t_156 - cos_6b * t_160;
-  const T t_161 = v_7_1s + (k_112 * p_7_2 + k_115 * p_7_4 + k_2 * p_7_6);
-  const T t_162 = v_7_3s - (k_116 * p_7_4 - k_113 * p_7_2 + p_7_6);
-  const T t_163 = v_7_5s - (p_7_4 - k_114 * p_7_2 - k_118 * p_7_6);
-  const T t_164 = v_7_7s - (p_7_2 - k_117 * p_7_4 + k_119 * p_7_6);
-  const T t_165 = k_121 * q_7_4 - k_120 * q_7_2 + q_7_6;
-  const T t_166 = q_7_2 + k_122 * t_165;
-  const T t_167 = q_7_4 - k_123 * t_165;
-  const T t_168 = q_7_6 - k_124 * t_165;
-  out[57] = cos_a * t_147 - sin_a * t_161;                               // l=7 m=1
-  out[55] = sin_a * t_147 + cos_a * t_161;                               // l=7 m=-1
-  out[58] = cos_2a * t_151 + sin_2a * t_166;                             // l=7 m=2
-  out[54] = sin_2a * t_151 - cos_2a * t_166;                             // l=7 m=-2
-  out[59] = cos_3a * t_148 - sin_3a * t_162;                             // l=7 m=3
-  out[53] = sin_3a * t_148 + cos_3a * t_162;                             // l=7 m=-3
-  out[60] = cos_4a * t_152 + sin_4a * t_167;                             // l=7 m=4
-  out[52] = sin_4a * t_152 - cos_4a * t_167;                             // l=7 m=-4
-  out[61] = cos_5a * t_149 - sin_5a * t_163;                             // l=7 m=5
-  out[51] = sin_5a * t_149 + cos_5a * t_163;                             // l=7 m=-5
-  out[62] = cos_6a * t_153 + sin_6a * t_168;                             // l=7 m=6
-  out[50] = sin_6a * t_153 - cos_6a * t_168;                             // l=7 m=-6
-  out[63] = cos_7a * t_150 - sin_7a * t_164;                             // l=7 m=7
-  out[49] = sin_7a * t_150 + cos_7a * t_164;                             // l=7 m=-7
+  const T t_152 = q_7_1 - k_96 * q_7_3 - k_99 * q_7_5 + q_7_7;
+  const T t_153 = k_93 * q_7_1 + k_97 * q_7_3 + q_7_5 - k_102 * q_7_7;
+  const T t_154 = k_94 * q_7_1 + q_7_3 - k_100 * q_7_5 + k_103 * q_7_7;
+  const T t_155 = v_7_7s - k_112 * v_7_1s - k_113 * v_7_3s - k_114 * v_7_5s;
+  const T t_156 = k_116 * v_7_3s - k_115 * v_7_1s + v_7_5s - k_117 * v_7_7s;
+  const T t_157 = v_7_3s - k_2 * v_7_1s - k_118 * v_7_5s + k_119 * v_7_7s;
+  const T t_158 = k_121 * v_7_4s - k_120 * v_7_2s + v_7_6s;
+  const T t_159 = v_7_2s + k_122 * t_158;
+  const T p_7_2 = k_125 * t_18 * t_155 - t_105 * t_159;
+  const T q_7_2 = t_105 * t_155 - cos_2b * t_159;
+  const T t_160 = v_7_4s - k_123 * t_158;
+  const T t_161 = v_7_6s - k_124 * t_158;
+  const T p_7_4 = k_127 * t_24 * t_156 - t_107 * t_160;
+  const T q_7_4 = t_107 * t_156 - cos_4b * t_160;
+  const T p_7_6 = k_129 * t_29 * t_157 - t_109 * t_161;
+  const T q_7_6 = t_109 * t_157 - cos_6b * t_161;
+  const T t_162 = v_7_1s + (k_112 * p_7_2 + k_115 * p_7_4 + k_2 * p_7_6);
+  const T t_163 = v_7_3s - (k_116 * p_7_4 - k_113 * p_7_2 + p_7_6);
+  const T t_164 = v_7_5s - (p_7_4 - k_114 * p_7_2 - k_118 * p_7_6);
+  const T t_165 = v_7_7s - (p_7_2 - k_117 * p_7_4 + k_119 * p_7_6);
+  const T t_166 = k_121 * q_7_4 - k_120 * q_7_2 + q_7_6;
+  const T t_167 = q_7_2 + k_122 * t_166;
+  const T t_168 = q_7_4 - k_123 * t_166;
+  const T t_169 = q_7_6 - k_124 * t_166;
+  out[57] = cos_a * t_148 - sin_a * t_162;                               // l=7 m=1
+  out[55] = sin_a * t_148 + cos_a * t_162;                               // l=7 m=-1
+  out[58] = cos_2a * t_152 + sin_2a * t_167;                             // l=7 m=2
+  out[54] = sin_2a * t_152 - cos_2a * t_167;                             // l=7 m=-2
+  out[59] = cos_3a * t_149 - sin_3a * t_163;                             // l=7 m=3
+  out[53] = sin_3a * t_149 + cos_3a * t_163;                             // l=7 m=-3
+  out[60] = cos_4a * t_153 + sin_4a * t_168;                             // l=7 m=4
+  out[52] = sin_4a * t_153 - cos_4a * t_168;                             // l=7 m=-4
+  out[61] = cos_5a * t_150 - sin_5a * t_164;                             // l=7 m=5
+  out[51] = sin_5a * t_150 + cos_5a * t_164;                             // l=7 m=-5
+  out[62] = cos_6a * t_154 + sin_6a * t_169;                             // l=7 m=6
+  out[50] = sin_6a * t_154 - cos_6a * t_169;                             // l=7 m=-6
+  out[63] = cos_7a * t_151 - sin_7a * t_165;                             // l=7 m=7
+  out[49] = sin_7a * t_151 + cos_7a * t_165;                             // l=7 m=-7
 }
 
 }  // namespace sh

@@ -10,7 +10,7 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         868 multiplications, 574 additions, 1 divisions, 1 square roots, 6 selections; longest chain 36; at
+// Cost:         867 multiplications, 575 additions, 1 divisions, 1 square roots, 6 selections; longest chain 37; at
 //               most 133 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 7.5e-06 (70.3 eps)
@@ -88,7 +88,6 @@ constexpr void rotate_quaternion_l8(const T* q, const T* c, T* out) noexcept {
   const T one   = detail::constant<T>(1.0f, 1.0);                               // 1
   const T zero  = detail::constant<T>(0.0f, 0.0);                               // 0
   const T two   = detail::constant<T>(2.0f, 2.0);                               // 2
-  const T half  = detail::constant<T>(0.5f, 0.5);                               // 1/2
   const T k     = detail::constant<T>(8.0f, 8.0);                               // 8
   const T k_2   = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
   const T k_3   = detail::constant<T>(6.0f, 6.0);                               // 6
@@ -287,83 +286,84 @@ constexpr void rotate_quaternion_l8(const T* q, const T* c, T* out) noexcept {
   const T bb = q[1] * q[1] + q[2] * q[2];
   const T b_re = detail::choose(bb < tiny, one, q[2]);
   const T b_im = detail::choose(bb < tiny, zero, q[1]);
-  const T inv2 = two / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
-  const T inv = detail::square_root<T>(half * inv2);
-  const T t = a_re * b_re;
-  const T t_2 = a_im * b_re;
-  const T t_3 = a_im * b_im;
-  const T t_4 = a_re * b_im;
-  const T t_5 = t + t_3;
-  const T t_6 = t - t_3;
+  const T inv_sq = one / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
+  const T inv = detail::square_root<T>(inv_sq);
+  const T t = inv_sq + inv_sq;
+  const T t_2 = a_re * b_re;
+  const T t_3 = a_im * b_re;
+  const T t_4 = a_im * b_im;
+  const T t_5 = a_re * b_im;
+  const T t_6 = t_2 + t_4;
   const T t_7 = t_2 - t_4;
-  const T t_8 = t_2 + t_4;
-  const T cos_a = t_5 * inv;
-  const T sin_a = t_7 * inv;
-  const T t_9 = t_7 * inv2;
-  const T t_10 = t_9 * t_7;
-  const T sin_2a = t_9 * t_5;
-  const T t_11 = t_8 * inv2;
-  const T cos_2a = one - t_10;
-  const T t_12 = cos_2a - t_10;
-  const T cos_3a = cos_a * t_12;
-  const T sin_3a = sin_a * (t_12 + two);
-  const T t_13 = cos_a + cos_a;
-  const T cos_4a = t_13 * cos_3a - cos_2a;
-  const T sin_4a = t_13 * sin_3a - sin_2a;
-  const T cos_5a = t_13 * cos_4a - cos_3a;
-  const T sin_5a = t_13 * sin_4a - sin_3a;
-  const T cos_6a = t_13 * cos_5a - cos_4a;
-  const T sin_6a = t_13 * sin_5a - sin_4a;
-  const T cos_7a = t_13 * cos_6a - cos_5a;
-  const T sin_7a = t_13 * sin_6a - sin_5a;
+  const T t_8 = t_3 - t_5;
+  const T t_9 = t_3 + t_5;
+  const T cos_a = t_6 * inv;
+  const T sin_a = t_8 * inv;
+  const T t_10 = t_8 * t;
+  const T t_11 = t_10 * t_8;
+  const T sin_2a = t_10 * t_6;
+  const T t_12 = t_9 * t;
+  const T cos_2a = one - t_11;
+  const T t_13 = cos_2a - t_11;
+  const T cos_3a = cos_a * t_13;
+  const T sin_3a = sin_a * (t_13 + two);
+  const T t_14 = cos_a + cos_a;
+  const T cos_4a = t_14 * cos_3a - cos_2a;
+  const T sin_4a = t_14 * sin_3a - sin_2a;
+  const T cos_5a = t_14 * cos_4a - cos_3a;
+  const T sin_5a = t_14 * sin_4a - sin_3a;
+  const T cos_6a = t_14 * cos_5a - cos_4a;
+  const T sin_6a = t_14 * sin_5a - sin_4a;
+  const T cos_7a = t_14 * cos_6a - cos_5a;
+  const T sin_7a = t_14 * sin_6a - sin_5a;
   const T cos_8a = cos_4a * cos_4a - sin_4a * sin_4a;
   const T sin_8a = (sin_4a + sin_4a) * cos_4a;
-  const T cos_g = t_6 * inv;
-  const T sin_2g = t_11 * t_6;
-  const T t_14 = t_11 * t_8;
-  const T sin_g = t_8 * inv;
-  const T cos_2g = one - t_14;
-  const T t_15 = cos_2g - t_14;
-  const T cos_3g = cos_g * t_15;
-  const T sin_3g = sin_g * (t_15 + two);
-  const T t_16 = cos_g + cos_g;
-  const T cos_4g = t_16 * cos_3g - cos_2g;
-  const T sin_4g = t_16 * sin_3g - sin_2g;
-  const T cos_5g = t_16 * cos_4g - cos_3g;
-  const T sin_5g = t_16 * sin_4g - sin_3g;
-  const T cos_6g = t_16 * cos_5g - cos_4g;
-  const T sin_6g = t_16 * sin_5g - sin_4g;
-  const T cos_7g = t_16 * cos_6g - cos_5g;
-  const T sin_7g = t_16 * sin_6g - sin_5g;
+  const T cos_g = t_7 * inv;
+  const T sin_2g = t_12 * t_7;
+  const T t_15 = t_12 * t_9;
+  const T sin_g = t_9 * inv;
+  const T cos_2g = one - t_15;
+  const T t_16 = cos_2g - t_15;
+  const T cos_3g = cos_g * t_16;
+  const T sin_3g = sin_g * (t_16 + two);
+  const T t_17 = cos_g + cos_g;
+  const T cos_4g = t_17 * cos_3g - cos_2g;
+  const T sin_4g = t_17 * sin_3g - sin_2g;
+  const T cos_5g = t_17 * cos_4g - cos_3g;
+  const T sin_5g = t_17 * sin_4g - sin_3g;
+  const T cos_6g = t_17 * cos_5g - cos_4g;
+  const T sin_6g = t_17 * sin_5g - sin_4g;
+  const T cos_7g = t_17 * cos_6g - cos_5g;
+  const T sin_7g = t_17 * sin_6g - sin_5g;
   const T cos_8g = cos_4g * cos_4g - sin_4g * sin_4g;
   const T sin_8g = (sin_4g + sin_4g) * cos_4g;
-  const T t_17 = aa * bb;
+  const T t_18 = aa * bb;
   const T cos_b = aa - bb;
-  const T t_18 = t_17 * inv;
-  const T sin_b = t_18 + t_18;
-  const T t_19 = sin_b * cos_b;
-  const T t_20 = k * t_17;
-  const T cos_2b = one - t_20;
-  const T t_21 = cos_2b - t_20;
-  const T t_22 = t_21 + two;
-  const T cos_3b = cos_b * t_21;
-  const T sin_3b = sin_b * t_22;
-  const T t_23 = t_19 * t_19;
-  const T t_24 = t_19 * cos_2b;
-  const T cos_4b = one - k * t_23;
-  const T t_25 = cos_4b + cos_4b;
-  const T t_26 = t_25 - t_21;
-  const T t_27 = t_25 + t_22;
-  const T cos_5b = cos_b * t_26;
-  const T sin_5b = sin_b * t_27;
-  const T t_28 = sin_3b * sin_3b;
-  const T t_29 = sin_3b * cos_3b;
-  const T cos_6b = one - two * t_28;
-  const T t_30 = cos_6b + cos_6b;
-  const T cos_7b = cos_b * (t_30 - t_26);
-  const T t_31 = k_110 * sin_b * (t_30 + t_27);
-  const T t_32 = t_24 * t_24;
-  const T t_33 = k_164 * t_24 * cos_4b;
+  const T t_19 = t_18 * inv;
+  const T sin_b = t_19 + t_19;
+  const T t_20 = sin_b * cos_b;
+  const T t_21 = k * t_18;
+  const T cos_2b = one - t_21;
+  const T t_22 = cos_2b - t_21;
+  const T t_23 = t_22 + two;
+  const T cos_3b = cos_b * t_22;
+  const T sin_3b = sin_b * t_23;
+  const T t_24 = t_20 * t_20;
+  const T t_25 = t_20 * cos_2b;
+  const T cos_4b = one - k * t_24;
+  const T t_26 = cos_4b + cos_4b;
+  const T t_27 = t_26 - t_22;
+  const T t_28 = t_26 + t_23;
+  const T cos_5b = cos_b * t_27;
+  const T sin_5b = sin_b * t_28;
+  const T t_29 = sin_3b * sin_3b;
+  const T t_30 = sin_3b * cos_3b;
+  const T cos_6b = one - two * t_29;
+  const T t_31 = cos_6b + cos_6b;
+  const T cos_7b = cos_b * (t_31 - t_27);
+  const T t_32 = k_110 * sin_b * (t_31 + t_28);
+  const T t_33 = t_25 * t_25;
+  const T t_34 = k_164 * t_25 * cos_4b;
   const T c3 = c[3];
   const T c1 = c[1];
   const T v_1_1c = cos_g * c3 - sin_g * c1;
@@ -382,18 +382,18 @@ constexpr void rotate_quaternion_l8(const T* q, const T* c, T* out) noexcept {
   const T v_2_2c = cos_2g * c8 - sin_2g * c4;
   const T v_2_2s = sin_2g * c8 + cos_2g * c4;
   const T c6 = c[6];
-  const T t_34 = c6 - k_2 * v_2_2c;
-  const T t_35 = k_4 * t_19;
-  const T p_2_2 = k_3 * t_17 * t_34 + t_35 * v_2_1c;
+  const T t_35 = c6 - k_2 * v_2_2c;
+  const T t_36 = k_4 * t_20;
+  const T p_2_2 = k_3 * t_18 * t_35 + t_36 * v_2_1c;
   out[6] = c6 - p_2_2;                                                              // l=2 m=0
-  const T q_2_2 = t_35 * t_34 + cos_2b * v_2_1c;
-  const T t_36 = v_2_2c + k_2 * p_2_2;
+  const T q_2_2 = t_36 * t_35 + cos_2b * v_2_1c;
+  const T t_37 = v_2_2c + k_2 * p_2_2;
   const T p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
   const T q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
   out[7] = cos_a * q_2_2 - sin_a * q_2_1;                                           // l=2 m=1
   out[5] = sin_a * q_2_2 + cos_a * q_2_1;                                           // l=2 m=-1
-  out[8] = cos_2a * t_36 - sin_2a * p_2_1;                                          // l=2 m=2
-  out[4] = sin_2a * t_36 + cos_2a * p_2_1;                                          // l=2 m=-2
+  out[8] = cos_2a * t_37 - sin_2a * p_2_1;                                          // l=2 m=2
+  out[4] = sin_2a * t_37 + cos_2a * p_2_1;                                          // l=2 m=-2
   const T c13 = c[13];
   const T c11 = c[11];
   const T v_3_1c = cos_g * c13 - sin_g * c11;
@@ -406,33 +406,33 @@ constexpr void rotate_quaternion_l8(const T* q, const T* c, T* out) noexcept {
   const T c9 = c[9];
   const T v_3_3c = cos_3g * c15 - sin_3g * c9;
   const T v_3_3s = sin_3g * c15 + cos_3g * c9;
-  const T t_37 = k_5 * v_3_1c + v_3_3c;
-  const T t_38 = v_3_1c - k_5 * v_3_3c;
+  const T t_38 = k_5 * v_3_1c + v_3_3c;
+  const T t_39 = v_3_1c - k_5 * v_3_3c;
   const T c12 = c[12];
-  const T t_39 = k_6 * c12 + v_3_2c;
-  const T t_40 = c12 - k_6 * v_3_2c;
-  const T t_41 = k_8 * sin_b;
-  const T p_3_1 = k_7 * cos_b * t_37 + t_41 * t_39;
-  const T q_3_1 = k_9 * cos_b * t_39 - t_41 * t_37;
-  const T t_42 = k_8 * sin_3b;
-  const T p_3_3 = k_7 * cos_3b * t_38 + t_42 * t_40;
-  const T q_3_3 = k_9 * cos_3b * t_40 - t_42 * t_38;
-  const T t_43 = k_5 * p_3_1 + p_3_3;
-  const T t_44 = p_3_1 - k_5 * p_3_3;
+  const T t_40 = k_6 * c12 + v_3_2c;
+  const T t_41 = c12 - k_6 * v_3_2c;
+  const T t_42 = k_8 * sin_b;
+  const T p_3_1 = k_7 * cos_b * t_38 + t_42 * t_40;
+  const T q_3_1 = k_9 * cos_b * t_40 - t_42 * t_38;
+  const T t_43 = k_8 * sin_3b;
+  const T p_3_3 = k_7 * cos_3b * t_39 + t_43 * t_41;
+  const T q_3_3 = k_9 * cos_3b * t_41 - t_43 * t_39;
+  const T t_44 = k_5 * p_3_1 + p_3_3;
+  const T t_45 = p_3_1 - k_5 * p_3_3;
   out[12] = k_6 * q_3_1 + q_3_3;                                                    // l=3 m=0
-  const T t_45 = q_3_1 - k_6 * q_3_3;
-  const T t_46 = v_3_1s - k_6 * v_3_3s;
-  const T t_47 = k_11 * t_19;
-  const T p_3_2 = k_10 * t_17 * t_46 + t_47 * v_3_2s;
-  const T q_3_2 = t_47 * t_46 + cos_2b * v_3_2s;
-  const T t_48 = v_3_1s - p_3_2;
-  const T t_49 = v_3_3s + k_6 * p_3_2;
-  out[13] = cos_a * t_43 - sin_a * t_48;                                            // l=3 m=1
-  out[11] = sin_a * t_43 + cos_a * t_48;                                            // l=3 m=-1
-  out[14] = cos_2a * t_45 - sin_2a * q_3_2;                                         // l=3 m=2
-  out[10] = sin_2a * t_45 + cos_2a * q_3_2;                                         // l=3 m=-2
-  out[15] = cos_3a * t_44 - sin_3a * t_49;                                          // l=3 m=3
-  out[9] = sin_3a * t_44 + cos_3a * t_49;                                           // l=3 m=-3
+  const T t_46 = q_3_1 - k_6 * q_3_3;
+  const T t_47 = v_3_1s - k_6 * v_3_3s;
+  const T t_48 = k_11 * t_20;
+  const T p_3_2 = k_10 * t_18 * t_47 + t_48 * v_3_2s;
+  const T q_3_2 = t_48 * t_47 + cos_2b * v_3_2s;
+  const T t_49 = v_3_1s - p_3_2;
+  const T t_50 = v_3_3s + k_6 * p_3_2;
+  out[13] = cos_a * t_44 - sin_a * t_49;                                            // l=3 m=1
+  out[11] = sin_a * t_44 + cos_a * t_49;                                            // l=3 m=-1
+  out[14] = cos_2a * t_46 - sin_2a * q_3_2;                                         // l=3 m=2
+  out[10] = sin_2a * t_46 + cos_2a * q_3_2;                                         // l=3 m=-2
+  out[15] = cos_3a * t_45 - sin_3a * t_50;                                          // l=3 m=3
+  out[9] = sin_3a * t_45 + cos_3a * t_50;                                           // l=3 m=-3
   const T c21 = c[21];
   const T c19 = c[19];
   const T v_4_1c = cos_g * c21 - sin_g * c19;
@@ -450,45 +450,45 @@ constexpr void rotate_quaternion_l8(const T* q, const T* c, T* out) noexcept {
   const T v_4_4c = cos_4g * c24 - sin_4g * c16;
   const T v_4_4s = sin_4g * c24 + cos_4g * c16;
   const T c20 = c[20];
-  const T t_50 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
-  const T t_51 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
-  const T t_52 = k_16 * v_4_1c + v_4_3c;
-  const T t_53 = v_4_1c - k_16 * v_4_3c;
-  const T t_54 = k_17 * t_17;
-  const T t_55 = k_18 * t_19;
-  const T q_4_2 = k_19 * cos_2b * t_52 - t_55 * t_50;
-  const T p_4_2 = t_54 * t_50 - t_55 * t_52;
-  const T t_56 = k_21 * t_24;
-  const T p_4_4 = k_20 * t_23 * t_51 + t_56 * t_53;
-  const T q_4_4 = t_56 * t_51 + k_19 * cos_4b * t_53;
+  const T t_51 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
+  const T t_52 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
+  const T t_53 = k_16 * v_4_1c + v_4_3c;
+  const T t_54 = v_4_1c - k_16 * v_4_3c;
+  const T t_55 = k_17 * t_18;
+  const T t_56 = k_18 * t_20;
+  const T q_4_2 = k_19 * cos_2b * t_53 - t_56 * t_51;
+  const T p_4_2 = t_55 * t_51 - t_56 * t_53;
+  const T t_57 = k_21 * t_25;
+  const T p_4_4 = k_20 * t_24 * t_52 + t_57 * t_54;
+  const T q_4_4 = t_57 * t_52 + k_19 * cos_4b * t_54;
   out[20] = c20 - (p_4_4 - k_12 * p_4_2);                                           // l=4 m=0
-  const T t_57 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
-  const T t_58 = v_4_4c - (p_4_2 + k_15 * p_4_4);
-  const T t_59 = k_16 * q_4_2 + q_4_4;
-  const T t_60 = q_4_2 - k_16 * q_4_4;
-  const T t_61 = k_16 * v_4_2s + v_4_4s;
-  const T t_62 = v_4_2s - k_16 * v_4_4s;
-  const T t_63 = k_22 * v_4_1s + v_4_3s;
-  const T t_64 = v_4_3s - k_23 * v_4_1s;
-  const T t_65 = k_24 * sin_b;
-  const T p_4_1 = k_19 * cos_b * t_61 + t_65 * t_63;
-  const T t_66 = k_25 * cos_b;
-  const T q_4_1 = t_66 * t_63 - t_65 * t_61;
-  const T t_67 = k_26 * sin_3b;
-  const T p_4_3 = k_19 * cos_3b * t_62 - t_67 * t_64;
-  const T q_4_3 = t_67 * t_62 + k_27 * cos_3b * t_64;
-  const T t_68 = k_16 * p_4_1 + p_4_3;
-  const T t_69 = p_4_1 - k_16 * p_4_3;
-  const T t_70 = q_4_1 + q_4_3;
-  const T t_71 = k_22 * q_4_1 - k_23 * q_4_3;
-  out[21] = cos_a * t_59 - sin_a * t_71;                                            // l=4 m=1
-  out[19] = sin_a * t_59 + cos_a * t_71;                                            // l=4 m=-1
-  out[22] = cos_2a * t_57 - sin_2a * t_68;                                          // l=4 m=2
-  out[18] = sin_2a * t_57 + cos_2a * t_68;                                          // l=4 m=-2
-  out[23] = cos_3a * t_60 - sin_3a * t_70;                                          // l=4 m=3
-  out[17] = sin_3a * t_60 + cos_3a * t_70;                                          // l=4 m=-3
-  out[24] = cos_4a * t_58 - sin_4a * t_69;                                          // l=4 m=4
-  out[16] = sin_4a * t_58 + cos_4a * t_69;                                          // l=4 m=-4
+  const T t_58 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
+  const T t_59 = v_4_4c - (p_4_2 + k_15 * p_4_4);
+  const T t_60 = k_16 * q_4_2 + q_4_4;
+  const T t_61 = q_4_2 - k_16 * q_4_4;
+  const T t_62 = k_16 * v_4_2s + v_4_4s;
+  const T t_63 = v_4_2s - k_16 * v_4_4s;
+  const T t_64 = k_22 * v_4_1s + v_4_3s;
+  const T t_65 = v_4_3s - k_23 * v_4_1s;
+  const T t_66 = k_24 * sin_b;
+  const T p_4_1 = k_19 * cos_b * t_62 + t_66 * t_64;
+  const T t_67 = k_25 * cos_b;
+  const T q_4_1 = t_67 * t_64 - t_66 * t_62;
+  const T t_68 = k_26 * sin_3b;
+  const T p_4_3 = k_19 * cos_3b * t_63 - t_68 * t_65;
+  const T q_4_3 = t_68 * t_63 + k_27 * cos_3b * t_65;
+  const T t_69 = k_16 * p_4_1 + p_4_3;
+  const T t_70 = p_4_1 - k_16 * p_4_3;
+  const T t_71 = q_4_1 + q_4_3;
+  const T t_72 = k_22 * q_4_1 - k_23 * q_4_3;
+  out[21] = cos_a * t_60 - sin_a * t_72;                                            // l=4 m=1
+  out[19] = sin_a * t_60 + cos_a * t_72;                                            // l=4 m=-1
+  out[22] = cos_2a * t_58 - sin_2a * t_69;                                          // l=4 m=2
+  out[18] = sin_2a * t_58 + cos_2a * t_69;                                          // l=4 m=-2
+  out[23] = cos_3a * t_61 - sin_3a * t_71;                                          // l=4 m=3
+  out[17] = sin_3a * t_61 + cos_3a * t_71;                                          // l=4 m=-3
+  out[24] = cos_4a * t_59 - sin_4a * t_70;                                          // l=4 m=4
+  out[16] = sin_4a * t_59 + cos_4a * t_70;                                          // l=4 m=-4
   const T c31 = c[31];
   const T c29 = c[29];
   const T v_5_1c = cos_g * c31 - sin_g * c29;
@@ -509,55 +509,55 @@ constexpr void rotate_quaternion_l8(const T* q, const T* c, T* out) noexcept {
   const T c25 = c[25];
   const T v_5_5c = cos_5g * c35 - sin_5g * c25;
   const T v_5_5s = sin_5g * c35 + cos_5g * c25;
-  const T t_72 = k_29 * v_5_3c - k_28 * v_5_1c + v_5_5c;
-  const T t_73 = v_5_1c + k_30 * t_72;
-  const T t_74 = v_5_3c - k_31 * t_72;
-  const T t_75 = v_5_5c - k_7 * t_72;
+  const T t_73 = k_29 * v_5_3c - k_28 * v_5_1c + v_5_5c;
+  const T t_74 = v_5_1c + k_30 * t_73;
+  const T t_75 = v_5_3c - k_31 * t_73;
+  const T t_76 = v_5_5c - k_7 * t_73;
   const T c30 = c[30];
-  const T t_76 = k_32 * c30 + v_5_2c + k_33 * v_5_4c;
-  const T t_77 = v_5_4c - k_34 * c30 - k_35 * v_5_2c;
-  const T t_78 = c30 - k_36 * v_5_2c + k_37 * v_5_4c;
-  const T t_79 = k_38 * sin_b;
-  const T q_5_1 = t_66 * t_76 - t_79 * t_73;
-  const T p_5_1 = cos_b * t_73 + t_79 * t_76;
-  const T t_80 = k_39 * sin_3b;
-  const T q_5_3 = t_80 * t_74 + k_40 * cos_3b * t_77;
-  const T p_5_3 = cos_3b * t_74 - t_80 * t_77;
-  const T t_81 = k_26 * sin_5b;
-  const T q_5_5 = k_41 * cos_5b * t_78 - t_81 * t_75;
-  const T p_5_5 = cos_5b * t_75 + t_81 * t_78;
-  const T t_82 = k_29 * p_5_3 - k_28 * p_5_1 + p_5_5;
-  const T t_83 = p_5_1 + k_30 * t_82;
-  const T t_84 = p_5_3 - k_31 * t_82;
-  const T t_85 = p_5_5 - k_7 * t_82;
+  const T t_77 = k_32 * c30 + v_5_2c + k_33 * v_5_4c;
+  const T t_78 = v_5_4c - k_34 * c30 - k_35 * v_5_2c;
+  const T t_79 = c30 - k_36 * v_5_2c + k_37 * v_5_4c;
+  const T t_80 = k_38 * sin_b;
+  const T q_5_1 = t_67 * t_77 - t_80 * t_74;
+  const T p_5_1 = cos_b * t_74 + t_80 * t_77;
+  const T t_81 = k_39 * sin_3b;
+  const T q_5_3 = t_81 * t_75 + k_40 * cos_3b * t_78;
+  const T p_5_3 = cos_3b * t_75 - t_81 * t_78;
+  const T t_82 = k_26 * sin_5b;
+  const T q_5_5 = k_41 * cos_5b * t_79 - t_82 * t_76;
+  const T p_5_5 = cos_5b * t_76 + t_82 * t_79;
+  const T t_83 = k_29 * p_5_3 - k_28 * p_5_1 + p_5_5;
+  const T t_84 = p_5_1 + k_30 * t_83;
+  const T t_85 = p_5_3 - k_31 * t_83;
+  const T t_86 = p_5_5 - k_7 * t_83;
   out[30] = k_32 * q_5_1 - k_34 * q_5_3 + q_5_5;                                    // l=5 m=0
-  const T t_86 = q_5_1 - k_35 * q_5_3 - k_36 * q_5_5;
-  const T t_87 = k_33 * q_5_1 + q_5_3 + k_37 * q_5_5;
-  const T t_88 = v_5_1s + k_42 * v_5_3s - k_43 * v_5_5s;
-  const T t_89 = v_5_3s - k_44 * v_5_1s - k_45 * v_5_5s;
-  const T t_90 = k_2 * v_5_2s + v_5_4s;
-  const T t_91 = v_5_2s - k_2 * v_5_4s;
-  const T t_92 = k_46 * t_19;
-  const T p_5_2 = t_54 * t_88 + t_92 * t_90;
-  const T q_5_2 = t_92 * t_88 + k_47 * cos_2b * t_90;
-  const T t_93 = k_49 * t_24;
-  const T p_5_4 = k_48 * t_23 * t_89 - t_93 * t_91;
-  const T q_5_4 = k_47 * cos_4b * t_91 - t_93 * t_89;
-  const T t_94 = v_5_1s - (p_5_2 - k_44 * p_5_4);
-  const T t_95 = v_5_3s - (k_42 * p_5_2 + p_5_4);
-  const T t_96 = v_5_5s + (k_43 * p_5_2 + k_45 * p_5_4);
-  const T t_97 = k_2 * q_5_2 + q_5_4;
-  const T t_98 = q_5_2 - k_2 * q_5_4;
-  out[31] = cos_a * t_83 - sin_a * t_94;                                            // l=5 m=1
-  out[29] = sin_a * t_83 + cos_a * t_94;                                            // l=5 m=-1
-  out[32] = cos_2a * t_86 - sin_2a * t_97;                                          // l=5 m=2
-  out[28] = sin_2a * t_86 + cos_2a * t_97;                                          // l=5 m=-2
-  out[33] = cos_3a * t_84 - sin_3a * t_95;                                          // l=5 m=3
-  out[27] = sin_3a * t_84 + cos_3a * t_95;                                          // l=5 m=-3
-  out[34] = cos_4a * t_87 - sin_4a * t_98;                                          // l=5 m=4
-  out[26] = sin_4a * t_87 + cos_4a * t_98;                                          // l=5 m=-4
-  out[35] = cos_5a * t_85 - sin_5a * t_96;                                          // l=5 m=5
-  out[25] = sin_5a * t_85 + cos_5a * t_96;                                          // l=5 m=-5
+  const T t_87 = q_5_1 - k_35 * q_5_3 - k_36 * q_5_5;
+  const T t_88 = k_33 * q_5_1 + q_5_3 + k_37 * q_5_5;
+  const T t_89 = v_5_1s + k_42 * v_5_3s - k_43 * v_5_5s;
+  const T t_90 = v_5_3s - k_44 * v_5_1s - k_45 * v_5_5s;
+  const T t_91 = k_2 * v_5_2s + v_5_4s;
+  const T t_92 = v_5_2s - k_2 * v_5_4s;
+  const T t_93 = k_46 * t_20;
+  const T p_5_2 = t_55 * t_89 + t_93 * t_91;
+  const T q_5_2 = t_93 * t_89 + k_47 * cos_2b * t_91;
+  const T t_94 = k_49 * t_25;
+  const T p_5_4 = k_48 * t_24 * t_90 - t_94 * t_92;
+  const T q_5_4 = k_47 * cos_4b * t_92 - t_94 * t_90;
+  const T t_95 = v_5_1s - (p_5_2 - k_44 * p_5_4);
+  const T t_96 = v_5_3s - (k_42 * p_5_2 + p_5_4);
+  const T t_97 = v_5_5s + (k_43 * p_5_2 + k_45 * p_5_4);
+  const T t_98 = k_2 * q_5_2 + q_5_4;
+  const T t_99 = q_5_2 - k_2 * q_5_4;
+  out[31] = cos_a * t_84 - sin_a * t_95;                                            // l=5 m=1
+  out[29] = sin_a * t_84 + cos_a * t_95;                                            // l=5 m=-1
+  out[32] = cos_2a * t_87 - sin_2a * t_98;                                          // l=5 m=2
+  out[28] = sin_2a * t_87 + cos_2a * t_98;                                          // l=5 m=-2
+  out[33] = cos_3a * t_85 - sin_3a * t_96;                                          // l=5 m=3
+  out[27] = sin_3a * t_85 + cos_3a * t_96;                                          // l=5 m=-3
+  out[34] = cos_4a * t_88 - sin_4a * t_99;                                          // l=5 m=4
+  out[26] = sin_4a * t_88 + cos_4a * t_99;                                          // l=5 m=-4
+  out[35] = cos_5a * t_86 - sin_5a * t_97;                                          // l=5 m=5
+  out[25] = sin_5a * t_86 + cos_5a * t_97;                                          // l=5 m=-5
   const T c43 = c[43];
   const T c41 = c[41];
   const T v_6_1c = cos_g * c43 - sin_g * c41;
@@ -583,64 +583,64 @@ constexpr void rotate_quaternion_l8(const T* q, const T* c, T* out) noexcept {
   const T v_6_6c = cos_6g * c48 - sin_6g * c36;
   const T v_6_6s = sin_6g * c48 + cos_6g * c36;
   const T c42 = c[42];
-  const T t_99 = v_6_6c - k_50 * c42 - k_51 * v_6_2c - k_52 * v_6_4c;
-  const T t_100 = v_6_4c - k_53 * c42 - k_54 * v_6_2c - k_55 * v_6_6c;
-  const T t_101 = v_6_2c - k_28 * c42 - k_56 * v_6_4c + k_57 * v_6_6c;
-  const T t_102 = k_52 * v_6_1c + k_58 * v_6_3c + v_6_5c;
-  const T t_103 = k_59 * v_6_1c + v_6_3c - k_60 * v_6_5c;
-  const T t_104 = v_6_1c - k_61 * v_6_3c + k_62 * v_6_5c;
-  const T t_105 = k_125 * t_17;
-  const T t_106 = k_64 * t_19;
-  const T p_6_2 = k_63 * t_17 * t_99 - t_106 * t_102;
-  const T q_6_2 = k_65 * cos_2b * t_102 - t_106 * t_99;
-  const T t_107 = k_67 * t_24;
-  const T p_6_4 = k_66 * t_23 * t_100 - t_107 * t_103;
-  const T q_6_4 = k_68 * cos_4b * t_103 - t_107 * t_100;
-  const T t_108 = k_70 * t_29;
-  const T p_6_6 = k_69 * t_28 * t_101 - t_108 * t_104;
-  const T q_6_6 = k_71 * cos_6b * t_104 - t_108 * t_101;
+  const T t_100 = v_6_6c - k_50 * c42 - k_51 * v_6_2c - k_52 * v_6_4c;
+  const T t_101 = v_6_4c - k_53 * c42 - k_54 * v_6_2c - k_55 * v_6_6c;
+  const T t_102 = v_6_2c - k_28 * c42 - k_56 * v_6_4c + k_57 * v_6_6c;
+  const T t_103 = k_52 * v_6_1c + k_58 * v_6_3c + v_6_5c;
+  const T t_104 = k_59 * v_6_1c + v_6_3c - k_60 * v_6_5c;
+  const T t_105 = v_6_1c - k_61 * v_6_3c + k_62 * v_6_5c;
+  const T t_106 = k_125 * t_18;
+  const T t_107 = k_64 * t_20;
+  const T p_6_2 = k_63 * t_18 * t_100 - t_107 * t_103;
+  const T q_6_2 = k_65 * cos_2b * t_103 - t_107 * t_100;
+  const T t_108 = k_67 * t_25;
+  const T p_6_4 = k_66 * t_24 * t_101 - t_108 * t_104;
+  const T q_6_4 = k_68 * cos_4b * t_104 - t_108 * t_101;
+  const T t_109 = k_70 * t_30;
+  const T p_6_6 = k_69 * t_29 * t_102 - t_109 * t_105;
+  const T q_6_6 = k_71 * cos_6b * t_105 - t_109 * t_102;
   out[42] = c42 + (k_50 * p_6_2 + k_53 * p_6_4 + k_28 * p_6_6);                     // l=6 m=0
-  const T t_109 = v_6_2c - (p_6_6 - k_51 * p_6_2 - k_54 * p_6_4);
-  const T t_110 = v_6_4c - (p_6_4 - k_52 * p_6_2 - k_56 * p_6_6);
-  const T t_111 = v_6_6c - (p_6_2 - k_55 * p_6_4 + k_57 * p_6_6);
-  const T t_112 = k_52 * q_6_2 + k_59 * q_6_4 + q_6_6;
-  const T t_113 = k_58 * q_6_2 + q_6_4 - k_61 * q_6_6;
-  const T t_114 = q_6_2 - k_60 * q_6_4 + k_62 * q_6_6;
-  const T t_115 = k_72 * v_6_2s + k_73 * v_6_4s + v_6_6s;
-  const T t_116 = k_74 * v_6_2s + v_6_4s - k_75 * v_6_6s;
-  const T t_117 = v_6_2s - k_76 * v_6_4s + k_77 * v_6_6s;
-  const T t_118 = v_6_3s - k_59 * v_6_1s + k_60 * v_6_5s;
-  const T t_119 = v_6_1s + k_78 * t_118;
-  const T t_120 = v_6_3s - k_7 * t_118;
-  const T t_121 = v_6_5s - k_79 * t_118;
-  const T t_122 = k_80 * sin_b;
-  const T p_6_1 = k_71 * cos_b * t_115 + t_122 * t_119;
-  const T q_6_1 = t_122 * t_115 - cos_b * t_119;
-  const T t_123 = k_81 * sin_3b;
-  const T p_6_3 = k_68 * cos_3b * t_116 + t_123 * t_120;
-  const T q_6_3 = t_123 * t_116 - cos_3b * t_120;
-  const T t_124 = k_79 * sin_5b;
-  const T p_6_5 = k_65 * cos_5b * t_117 + t_124 * t_121;
-  const T q_6_5 = t_124 * t_117 - cos_5b * t_121;
-  const T t_125 = k_72 * p_6_1 + k_74 * p_6_3 + p_6_5;
-  const T t_126 = k_73 * p_6_1 + p_6_3 - k_76 * p_6_5;
-  const T t_127 = p_6_1 - k_75 * p_6_3 + k_77 * p_6_5;
-  const T t_128 = q_6_3 - k_59 * q_6_1 + k_60 * q_6_5;
-  const T t_129 = q_6_1 + k_78 * t_128;
-  const T t_130 = q_6_3 - k_7 * t_128;
-  const T t_131 = q_6_5 - k_79 * t_128;
-  out[43] = cos_a * t_112 + sin_a * t_129;                                          // l=6 m=1
-  out[41] = sin_a * t_112 - cos_a * t_129;                                          // l=6 m=-1
-  out[44] = cos_2a * t_109 - sin_2a * t_125;                                        // l=6 m=2
-  out[40] = sin_2a * t_109 + cos_2a * t_125;                                        // l=6 m=-2
-  out[45] = cos_3a * t_113 + sin_3a * t_130;                                        // l=6 m=3
-  out[39] = sin_3a * t_113 - cos_3a * t_130;                                        // l=6 m=-3
-  out[46] = cos_4a * t_110 - sin_4a * t_126;                                        // l=6 m=4
-  out[38] = sin_4a * t_110 + cos_4a * t_126;                                        // l=6 m=-4
-  out[47] = cos_5a * t_114 + sin_5a * t_131;                                        // l=6 m=5
-  out[37] = sin_5a * t_114 - cos_5a * t_131;                                        // l=6 m=-5
-  out[48] = cos_6a * t_111 - sin_6a * t_127;                                        // l=6 m=6
-  out[36] = sin_6a * t_111 + cos_6a * t_127;                                        // l=6 m=-6
+  const T t_110 = v_6_2c - (p_6_6 - k_51 * p_6_2 - k_54 * p_6_4);
+  const T t_111 = v_6_4c - (p_6_4 - k_52 * p_6_2 - k_56 * p_6_6);
+  const T t_112 = v_6_6c - (p_6_2 - k_55 * p_6_4 + k_57 * p_6_6);
+  const T t_113 = k_52 * q_6_2 + k_59 * q_6_4 + q_6_6;
+  const T t_114 = k_58 * q_6_2 + q_6_4 - k_61 * q_6_6;
+  const T t_115 = q_6_2 - k_60 * q_6_4 + k_62 * q_6_6;
+  const T t_116 = k_72 * v_6_2s + k_73 * v_6_4s + v_6_6s;
+  const T t_117 = k_74 * v_6_2s + v_6_4s - k_75 * v_6_6s;
+  const T t_118 = v_6_2s - k_76 * v_6_4s + k_77 * v_6_6s;
+  const T t_119 = v_6_3s - k_59 * v_6_1s + k_60 * v_6_5s;
+  const T t_120 = v_6_1s + k_78 * t_119;
+  const T t_121 = v_6_3s - k_7 * t_119;
+  const T t_122 = v_6_5s - k_79 * t_119;
+  const T t_123 = k_80 * sin_b;
+  const T p_6_1 = k_71 * cos_b * t_116 + t_123 * t_120;
+  const T q_6_1 = t_123 * t_116 - cos_b * t_120;
+  const T t_124 = k_81 * sin_3b;
+  const T p_6_3 = k_68 * cos_3b * t_117 + t_124 * t_121;
+  const T q_6_3 = t_124 * t_117 - cos_3b * t_121;
+  const T t_125 = k_79 * sin_5b;
+  const T p_6_5 = k_65 * cos_5b * t_118 + t_125 * t_122;
+  const T q_6_5 = t_125 * t_118 - cos_5b * t_122;
+  const T t_126 = k_72 * p_6_1 + k_74 * p_6_3 + p_6_5;
+  const T t_127 = k_73 * p_6_1 + p_6_3 - k_76 * p_6_5;
+  const T t_128 = p_6_1 - k_75 * p_6_3 + k_77 * p_6_5;
+  const T t_129 = q_6_3 - k_59 * q_6_1 + k_60 * q_6_5;
+  const T t_130 = q_6_1 + k_78 * t_129;
+  const T t_131 = q_6_3 - k_7 * t_129;
+  const T t_132 = q_6_5 - k_79 * t_129;
+  out[43] = cos_a * t_113 + sin_a * t_130;                                          // l=6 m=1
+  out[41] = sin_a * t_113 - cos_a * t_130;                                          // l=6 m=-1
+  out[44] = cos_2a * t_110 - sin_2a * t_126;                                        // l=6 m=2
+  out[40] = sin_2a * t_110 + cos_2a * t_126;                                        // l=6 m=-2
+  out[45] = cos_3a * t_114 + sin_3a * t_131;                                        // l=6 m=3
+  out[39] = sin_3a * t_114 - cos_3a * t_131;                                        // l=6 m=-3
+  out[46] = cos_4a * t_111 - sin_4a * t_127;                                        // l=6 m=4
+  out[38] = sin_4a * t_111 + cos_4a * t_127;                                        // l=6 m=-4
+  out[47] = cos_5a * t_115 + sin_5a * t_132;                                        // l=6 m=5
+  out[37] = sin_5a * t_115 - cos_5a * t_132;                                        // l=6 m=-5
+  out[48] = cos_6a * t_112 - sin_6a * t_128;                                        // l=6 m=6
+  out[36] = sin_6a * t_112 + cos_6a * t_128;                                        // l=6 m=-6
   const T c57 = c[57];
   const T c55 = c[55];
   const T v_7_1c = cos_g * c57 - sin_g * c55;
@@ -669,83 +669,83 @@ constexpr void rotate_quaternion_l8(const T* q, const T* c, T* out) noexcept {
   const T c49 = c[49];
   const T v_7_7c = cos_7g * c63 - sin_7g * c49;
   const T v_7_7s = sin_7g * c63 + cos_7g * c49;
-  const T t_132 = v_7_1c + k_82 * v_7_5c + k_83 * v_7_7c;
-  const T t_133 = v_7_3c + k_84 * v_7_5c - k_85 * v_7_7c;
-  const T t_134 = v_7_1c - k_86 * t_132 - k_87 * t_133;
-  const T t_135 = v_7_3c - k_87 * t_132 - k_88 * t_133;
-  const T t_136 = v_7_5c - k_89 * t_132 - k_90 * t_133;
-  const T t_137 = v_7_7c - k_91 * t_132 + k_92 * t_133;
+  const T t_133 = v_7_1c + k_82 * v_7_5c + k_83 * v_7_7c;
+  const T t_134 = v_7_3c + k_84 * v_7_5c - k_85 * v_7_7c;
+  const T t_135 = v_7_1c - k_86 * t_133 - k_87 * t_134;
+  const T t_136 = v_7_3c - k_87 * t_133 - k_88 * t_134;
+  const T t_137 = v_7_5c - k_89 * t_133 - k_90 * t_134;
+  const T t_138 = v_7_7c - k_91 * t_133 + k_92 * t_134;
   const T c56 = c[56];
-  const T t_138 = k_44 * c56 + v_7_2c + k_93 * v_7_4c + k_94 * v_7_6c;
-  const T t_139 = k_97 * v_7_4c - k_95 * c56 - k_96 * v_7_2c + v_7_6c;
-  const T t_140 = v_7_4c - k_98 * c56 - k_99 * v_7_2c - k_100 * v_7_6c;
-  const T t_141 = v_7_2c - k_101 * c56 - k_102 * v_7_4c + k_103 * v_7_6c;
-  const T t_142 = k_104 * sin_b;
-  const T t_143 = k_187 * sin_b;
-  const T q_7_1 = t_142 * t_134 + k_105 * cos_b * t_138;
-  const T p_7_1 = cos_b * t_134 - t_142 * t_138;
-  const T t_144 = k_106 * sin_3b;
-  const T t_145 = k_189 * sin_3b;
-  const T q_7_3 = k_107 * cos_3b * t_139 - t_144 * t_135;
-  const T p_7_3 = cos_3b * t_135 + t_144 * t_139;
-  const T t_146 = k_108 * sin_5b;
-  const T t_147 = k_190 * sin_5b;
-  const T q_7_5 = k_109 * cos_5b * t_140 - t_146 * t_136;
-  const T p_7_5 = cos_5b * t_136 + t_146 * t_140;
-  const T t_148 = k_111 * cos_7b;
-  const T p_7_7 = cos_7b * t_137 + t_31 * t_141;
-  const T q_7_7 = t_148 * t_141 - t_31 * t_137;
-  const T t_149 = p_7_1 + k_82 * p_7_5 + k_83 * p_7_7;
-  const T t_150 = p_7_3 + k_84 * p_7_5 - k_85 * p_7_7;
-  const T t_151 = p_7_1 - k_86 * t_149 - k_87 * t_150;
-  const T t_152 = p_7_3 - k_87 * t_149 - k_88 * t_150;
-  const T t_153 = p_7_5 - k_89 * t_149 - k_90 * t_150;
-  const T t_154 = p_7_7 - k_91 * t_149 + k_92 * t_150;
+  const T t_139 = k_44 * c56 + v_7_2c + k_93 * v_7_4c + k_94 * v_7_6c;
+  const T t_140 = k_97 * v_7_4c - k_95 * c56 - k_96 * v_7_2c + v_7_6c;
+  const T t_141 = v_7_4c - k_98 * c56 - k_99 * v_7_2c - k_100 * v_7_6c;
+  const T t_142 = v_7_2c - k_101 * c56 - k_102 * v_7_4c + k_103 * v_7_6c;
+  const T t_143 = k_104 * sin_b;
+  const T t_144 = k_187 * sin_b;
+  const T q_7_1 = t_143 * t_135 + k_105 * cos_b * t_139;
+  const T p_7_1 = cos_b * t_135 - t_143 * t_139;
+  const T t_145 = k_106 * sin_3b;
+  const T t_146 = k_189 * sin_3b;
+  const T q_7_3 = k_107 * cos_3b * t_140 - t_145 * t_136;
+  const T p_7_3 = cos_3b * t_136 + t_145 * t_140;
+  const T t_147 = k_108 * sin_5b;
+  const T t_148 = k_190 * sin_5b;
+  const T q_7_5 = k_109 * cos_5b * t_141 - t_147 * t_137;
+  const T p_7_5 = cos_5b * t_137 + t_147 * t_141;
+  const T t_149 = k_111 * cos_7b;
+  const T p_7_7 = cos_7b * t_138 + t_32 * t_142;
+  const T q_7_7 = t_149 * t_142 - t_32 * t_138;
+  const T t_150 = p_7_1 + k_82 * p_7_5 + k_83 * p_7_7;
+  const T t_151 = p_7_3 + k_84 * p_7_5 - k_85 * p_7_7;
+  const T t_152 = p_7_1 - k_86 * t_150 - k_87 * t_151;
+  const T t_153 = p_7_3 - k_87 * t_150 - k_88 * t_151;
+  const T t_154 = p_7_5 - k_89 * t_150 - k_90 * t_151;
+  const T t_155 = p_7_7 - k_91 * t_150 + k_92 * t_151;
   out[56] = k_44 * q_7_1 - k_95 * q_7_3 - k_98 * q_7_5 - k_101 * q_7_7;             // l=7 m=0
-  const T t_155 = q_7_1 - k_96 * q_7_3 - k_99 * q_7_5 + q_7_7;
-  const T t_156 = k_93 * q_7_1 + k_97 * q_7_3 + q_7_5 - k_102 * q_7_7;
-  const T t_157 = k_94 * q_7_1 + q_7_3 - k_100 * q_7_5 + k_103 * q_7_7;
-  const T t_158 = v_7_7s - k_112 * v_7_1s - k_113 * v_7_3s - k_114 * v_7_5s;
-  const T t_159 = k_116 * v_7_3s - k_115 * v_7_1s + v_7_5s - k_117 * v_7_7s;
-  const T t_160 = v_7_3s - k_2 * v_7_1s - k_118 * v_7_5s + k_119 * v_7_7s;
-  const T t_161 = k_121 * v_7_4s - k_120 * v_7_2s + v_7_6s;
-  const T t_162 = v_7_2s + k_122 * t_161;
-  const T t_163 = v_7_4s - k_123 * t_161;
-  const T t_164 = v_7_6s - k_124 * t_161;
-  const T t_165 = k_126 * t_19;
-  const T t_166 = k_156 * t_19;
-  const T p_7_2 = t_105 * t_158 - t_165 * t_162;
-  const T q_7_2 = t_165 * t_158 - cos_2b * t_162;
-  const T t_167 = k_128 * t_24;
-  const T p_7_4 = k_127 * t_23 * t_159 - t_167 * t_163;
-  const T q_7_4 = t_167 * t_159 - cos_4b * t_163;
-  const T t_168 = k_158 * t_24;
-  const T t_169 = k_130 * t_29;
-  const T p_7_6 = k_129 * t_28 * t_160 - t_169 * t_164;
-  const T q_7_6 = t_169 * t_160 - cos_6b * t_164;
-  const T t_170 = k_161 * t_29;
-  const T t_171 = v_7_1s + (k_112 * p_7_2 + k_115 * p_7_4 + k_2 * p_7_6);
-  const T t_172 = v_7_3s - (k_116 * p_7_4 - k_113 * p_7_2 + p_7_6);
-  const T t_173 = v_7_5s - (p_7_4 - k_114 * p_7_2 - k_118 * p_7_6);
-  const T t_174 = v_7_7s - (p_7_2 - k_117 * p_7_4 + k_119 * p_7_6);
-  const T t_175 = k_121 * q_7_4 - k_120 * q_7_2 + q_7_6;
-  const T t_176 = q_7_2 + k_122 * t_175;
-  const T t_177 = q_7_4 - k_123 * t_175;
-  const T t_178 = q_7_6 - k_124 * t_175;
-  out[57] = cos_a * t_151 - sin_a * t_171;                                          // l=7 m=1
-  out[55] = sin_a * t_151 + cos_a * t_171;                                          // l=7 m=-1
-  out[58] = cos_2a * t_155 + sin_2a * t_176;                                        // l=7 m=2
-  out[54] = sin_2a * t_155 - cos_2a * t_176;                                        // l=7 m=-2
-  out[59] = cos_3a * t_152 - sin_3a * t_172;                                        // l=7 m=3
-  out[53] = sin_3a * t_152 + cos_3a * t_172;                                        // l=7 m=-3
-  out[60] = cos_4a * t_156 + sin_4a * t_177;                                        // l=7 m=4
-  out[52] = sin_4a * t_156 - cos_4a * t_177;                                        // l=7 m=-4
-  out[61] = cos_5a * t_153 - sin_5a * t_173;                                        // l=7 m=5
-  out[51] = sin_5a * t_153 + cos_5a * t_173;                                        // l=7 m=-5
-  out[62] = cos_6a * t_157 + sin_6a * t_178;                                        // l=7 m=6
-  out[50] = sin_6a * t_157 - cos_6a * t_178;                                        // l=7 m=-6
-  out[63] = cos_7a * t_154 - sin_7a * t_174;                                        // l=7 m=7
-  out[49] = sin_7a * t_154 + cos_7a * t_174;                                        // l=7 m=-7
+  const T t_156 = q_7_1 - k_96 * q_7_3 - k_99 * q_7_5 + q_7_7;
+  const T t_157 = k_93 * q_7_1 + k_97 * q_7_3 + q_7_5 - k_102 * q_7_7;
+  const T t_158 = k_94 * q_7_1 + q_7_3 - k_100 * q_7_5 + k_103 * q_7_7;
+  const T t_159 = v_7_7s - k_112 * v_7_1s - k_113 * v_7_3s - k_114 * v_7_5s;
+  const T t_160 = k_116 * v_7_3s - k_115 * v_7_1s + v_7_5s - k_117 * v_7_7s;
+  const T t_161 = v_7_3s - k_2 * v_7_1s - k_118 * v_7_5s + k_119 * v_7_7s;
+  const T t_162 = k_121 * v_7_4s - k_120 * v_7_2s + v_7_6s;
+  const T t_163 = v_7_2s + k_122 * t_162;
+  const T t_164 = v_7_4s - k_123 * t_162;
+  const T t_165 = v_7_6s - k_124 * t_162;
+  const T t_166 = k_126 * t_20;
+  const T t_167 = k_156 * t_20;
+  const T p_7_2 = t_106 * t_159 - t_166 * t_163;
+  const T q_7_2 = t_166 * t_159 - cos_2b * t_163;
+  const T t_168 = k_128 * t_25;
+  const T p_7_4 = k_127 * t_24 * t_160 - t_168 * t_164;
+  const T q_7_4 = t_168 * t_160 - cos_4b * t_164;
+  const T t_169 = k_158 * t_25;
+  const T t_170 = k_130 * t_30;
+  const T p_7_6 = k_129 * t_29 * t_161 - t_170 * t_165;
+  const T q_7_6 = t_170 * t_161 - cos_6b * t_165;
+  const T t_171 = k_161 * t_30;
+  const T t_172 = v_7_1s + (k_112 * p_7_2 + k_115 * p_7_4 + k_2 * p_7_6);
+  const T t_173 = v_7_3s - (k_116 * p_7_4 - k_113 * p_7_2 + p_7_6);
+  const T t_174 = v_7_5s - (p_7_4 - k_114 * p_7_2 - k_118 * p_7_6);
+  const T t_175 = v_7_7s - (p_7_2 - k_117 * p_7_4 + k_119 * p_7_6);
+  const T t_176 = k_121 * q_7_4 - k_120 * q_7_2 + q_7_6;
+  const T t_177 = q_7_2 + k_122 * t_176;
+  const T t_178 = q_7_4 - k_123 * t_176;
+  const T t_179 = q_7_6 - k_124 * t_176;
+  out[57] = cos_a * t_152 - sin_a * t_172;                                          // l=7 m=1
+  out[55] = sin_a * t_152 + cos_a * t_172;                                          // l=7 m=-1
+  out[58] = cos_2a * t_156 + sin_2a * t_177;                                        // l=7 m=2
+  out[54] = sin_2a * t_156 - cos_2a * t_177;                                        // l=7 m=-2
+  out[59] = cos_3a * t_153 - sin_3a * t_173;                                        // l=7 m=3
+  out[53] = sin_3a * t_153 + cos_3a * t_173;                                        // l=7 m=-3
+  out[60] = cos_4a * t_157 + sin_4a * t_178;                                        // l=7 m=4
+  out[52] = sin_4a * t_157 - cos_4a * t_178;                                        // l=7 m=-4
+  out[61] = cos_5a * t_154 - sin_5a * t_174;                                        // l=7 m=5
+  out[51] = sin_5a * t_154 + cos_5a * t_174;                                        // l=7 m=-5
+  out[62] = cos_6a * t_158 + sin_6a * t_179;                                        // l=7 m=6
+  out[50] = sin_6a * t_158 - cos_6a * t_179;                                        // l=7 m=-6
+  out[63] = cos_7a * t_155 - sin_7a * t_175;                                        // l=7 m=7
+  out[49] = sin_7a * t_155 + cos_7a * t_175;                                        // l=7 m=-7
   const T c73 = c[73];
   const T c71 = c[71];
   const T v_8_1c = cos_g * c73 - sin_g * c71;
@@ -779,75 +779,75 @@ constexpr void rotate_quaternion_l8(const T* q, const T* c, T* out) noexcept {
   const T v_8_8c = cos_8g * c80 - sin_8g * c64;
   const T v_8_8s = sin_8g * c80 + cos_8g * c64;
   const T c72 = c[72];
-  const T t_179 = v_8_8c - k_131 * c72 - k_132 * v_8_2c - k_133 * v_8_4c;
-  const T t_180 = k_136 * v_8_4c - k_134 * c72 - k_135 * v_8_2c + v_8_6c - k_137 * v_8_8c;
-  const T t_181 = v_8_4c - k_138 * c72 - k_139 * v_8_6c + k_140 * v_8_8c;
-  const T t_182 = v_8_2c - k_141 * c72 - k_142 * v_8_4c + k_143 * v_8_6c - k_144 * v_8_8c;
-  const T t_183 = k_145 * v_8_1c + k_146 * v_8_3c + k_12 * v_8_5c + v_8_7c;
-  const T p_8_2 = t_105 * t_179 - t_166 * t_183;
-  const T q_8_2 = k_111 * cos_2b * t_183 - t_166 * t_179;
-  const T t_184 = v_8_7c - k_147 * v_8_1c - k_148 * v_8_3c - k_149 * v_8_5c;
-  const T p_8_4 = k_157 * t_23 * t_180 + t_168 * t_184;
-  const T q_8_4 = t_168 * t_180 + k_159 * cos_4b * t_184;
-  const T t_185 = v_8_5c - k_150 * v_8_1c - k_151 * v_8_3c - k_152 * v_8_7c;
-  const T t_186 = v_8_1c - k_153 * v_8_3c + k_154 * v_8_5c - k_155 * v_8_7c;
-  const T p_8_6 = k_160 * t_28 * t_181 + t_170 * t_185;
-  const T q_8_6 = t_170 * t_181 + k_162 * cos_6b * t_185;
-  const T p_8_8 = k_163 * t_32 * t_182 - t_33 * t_186;
-  const T q_8_8 = (k_165 - k_166 * t_32) * t_186 - t_33 * t_182;
+  const T t_180 = v_8_8c - k_131 * c72 - k_132 * v_8_2c - k_133 * v_8_4c;
+  const T t_181 = k_136 * v_8_4c - k_134 * c72 - k_135 * v_8_2c + v_8_6c - k_137 * v_8_8c;
+  const T t_182 = v_8_4c - k_138 * c72 - k_139 * v_8_6c + k_140 * v_8_8c;
+  const T t_183 = v_8_2c - k_141 * c72 - k_142 * v_8_4c + k_143 * v_8_6c - k_144 * v_8_8c;
+  const T t_184 = k_145 * v_8_1c + k_146 * v_8_3c + k_12 * v_8_5c + v_8_7c;
+  const T p_8_2 = t_106 * t_180 - t_167 * t_184;
+  const T q_8_2 = k_111 * cos_2b * t_184 - t_167 * t_180;
+  const T t_185 = v_8_7c - k_147 * v_8_1c - k_148 * v_8_3c - k_149 * v_8_5c;
+  const T p_8_4 = k_157 * t_24 * t_181 + t_169 * t_185;
+  const T q_8_4 = t_169 * t_181 + k_159 * cos_4b * t_185;
+  const T t_186 = v_8_5c - k_150 * v_8_1c - k_151 * v_8_3c - k_152 * v_8_7c;
+  const T t_187 = v_8_1c - k_153 * v_8_3c + k_154 * v_8_5c - k_155 * v_8_7c;
+  const T p_8_6 = k_160 * t_29 * t_182 + t_171 * t_186;
+  const T q_8_6 = t_171 * t_182 + k_162 * cos_6b * t_186;
+  const T p_8_8 = k_163 * t_33 * t_183 - t_34 * t_187;
+  const T q_8_8 = (k_165 - k_166 * t_33) * t_187 - t_34 * t_183;
   out[72] = c72 + (k_131 * p_8_2 + k_134 * p_8_4 + k_138 * p_8_6 + k_141 * p_8_8);  // l=8 m=0
-  const T t_187 = v_8_2c - (p_8_8 - k_132 * p_8_2 - k_135 * p_8_4);
-  const T t_188 = v_8_4c - (k_136 * p_8_4 - k_133 * p_8_2 + p_8_6 - k_142 * p_8_8);
-  const T t_189 = v_8_6c - (p_8_4 - k_139 * p_8_6 + k_143 * p_8_8);
-  const T t_190 = v_8_8c - (p_8_2 - k_137 * p_8_4 + k_140 * p_8_6 - k_144 * p_8_8);
-  const T t_191 = k_145 * q_8_2 - k_147 * q_8_4 - k_150 * q_8_6 + q_8_8;
-  const T t_192 = k_146 * q_8_2 - k_148 * q_8_4 - k_151 * q_8_6 - k_153 * q_8_8;
-  const T t_193 = k_12 * q_8_2 - k_149 * q_8_4 + q_8_6 + k_154 * q_8_8;
-  const T t_194 = q_8_2 + q_8_4 - k_152 * q_8_6 - k_155 * q_8_8;
-  const T t_195 = k_167 * v_8_2s + k_168 * v_8_4s + k_169 * v_8_6s + v_8_8s;
-  const T t_196 = k_170 * v_8_2s + v_8_4s + k_171 * v_8_6s - k_172 * v_8_8s;
-  const T t_197 = v_8_6s - k_173 * v_8_2s - k_174 * v_8_4s - k_175 * v_8_8s;
-  const T t_198 = v_8_2s - k_176 * v_8_4s + k_177 * v_8_6s - k_178 * v_8_8s;
-  const T t_199 = k_179 * v_8_3s - k_85 * v_8_1s + v_8_5s;
-  const T t_200 = k_180 * v_8_3s - k_131 * v_8_1s + v_8_7s;
-  const T t_201 = v_8_1s + k_92 * t_199 + k_181 * t_200;
-  const T t_202 = v_8_3s - k_182 * t_199 - k_183 * t_200;
-  const T t_203 = v_8_5s - k_184 * t_199 + k_185 * t_200;
-  const T t_204 = v_8_7s + k_185 * t_199 - k_186 * t_200;
-  const T p_8_7 = t_148 * t_198 + t_31 * t_204;
-  const T q_8_7 = cos_7b * t_204 - t_31 * t_198;
-  const T p_8_1 = k_165 * cos_b * t_195 + t_143 * t_201;
-  const T q_8_1 = cos_b * t_201 - t_143 * t_195;
-  const T p_8_3 = k_188 * cos_3b * t_196 + t_145 * t_202;
-  const T q_8_3 = cos_3b * t_202 - t_145 * t_196;
-  const T p_8_5 = k_162 * cos_5b * t_197 - t_147 * t_203;
-  const T q_8_5 = t_147 * t_197 + cos_5b * t_203;
-  const T t_205 = k_167 * p_8_1 + k_170 * p_8_3 - k_173 * p_8_5 + p_8_7;
-  const T t_206 = k_168 * p_8_1 + p_8_3 - k_174 * p_8_5 - k_176 * p_8_7;
-  const T t_207 = k_169 * p_8_1 + k_171 * p_8_3 + p_8_5 + k_177 * p_8_7;
-  const T t_208 = p_8_1 - k_172 * p_8_3 - k_175 * p_8_5 - k_178 * p_8_7;
-  const T t_209 = k_179 * q_8_3 - k_85 * q_8_1 + q_8_5;
-  const T t_210 = k_180 * q_8_3 - k_131 * q_8_1 + q_8_7;
-  const T t_211 = q_8_1 + k_92 * t_209 + k_181 * t_210;
-  const T t_212 = q_8_3 - k_182 * t_209 - k_183 * t_210;
-  const T t_213 = q_8_5 - k_184 * t_209 + k_185 * t_210;
-  const T t_214 = q_8_7 + k_185 * t_209 - k_186 * t_210;
-  out[73] = cos_a * t_191 - sin_a * t_211;                                          // l=8 m=1
-  out[71] = sin_a * t_191 + cos_a * t_211;                                          // l=8 m=-1
-  out[74] = cos_2a * t_187 - sin_2a * t_205;                                        // l=8 m=2
-  out[70] = sin_2a * t_187 + cos_2a * t_205;                                        // l=8 m=-2
-  out[75] = cos_3a * t_192 - sin_3a * t_212;                                        // l=8 m=3
-  out[69] = sin_3a * t_192 + cos_3a * t_212;                                        // l=8 m=-3
-  out[76] = cos_4a * t_188 - sin_4a * t_206;                                        // l=8 m=4
-  out[68] = sin_4a * t_188 + cos_4a * t_206;                                        // l=8 m=-4
-  out[77] = cos_5a * t_193 - sin_5a * t_213;                                        // l=8 m=5
-  out[67] = sin_5a * t_193 + cos_5a * t_213;                                        // l=8 m=-5
-  out[78] = cos_6a * t_189 - sin_6a * t_207;                                        // l=8 m=6
-  out[66] = sin_6a * t_189 + cos_6a * t_207;                                        // l=8 m=-6
-  out[79] = cos_7a * t_194 - sin_7a * t_214;                                        // l=8 m=7
-  out[65] = sin_7a * t_194 + cos_7a * t_214;                                        // l=8 m=-7
-  out[80] = cos_8a * t_190 - sin_8a * t_208;                                        // l=8 m=8
-  out[64] = sin_8a * t_190 + cos_8a * t_208;                                        // l=8 m=-8
+  const T t_188 = v_8_2c - (p_8_8 - k_132 * p_8_2 - k_135 * p_8_4);
+  const T t_189 = v_8_4c - (k_136 * p_8_4 - k_133 * p_8_2 + p_8_6 - k_142 * p_8_8);
+  const T t_190 = v_8_6c - (p_8_4 - k_139 * p_8_6 + k_143 * p_8_8);
+  const T t_191 = v_8_8c - (p_8_2 - k_137 * p_8_4 + k_140 * p_8_6 - k_144 * p_8_8);
+  const T t_192 = k_145 * q_8_2 - k_147 * q_8_4 - k_150 * q_8_6 + q_8_8;
+  const T t_193 = k_146 * q_8_2 - k_148 * q_8_4 - k_151 * q_8_6 - k_153 * q_8_8;
+  const T t_194 = k_12 * q_8_2 - k_149 * q_8_4 + q_8_6 + k_154 * q_8_8;
+  const T t_195 = q_8_2 + q_8_4 - k_152 * q_8_6 - k_155 * q_8_8;
+  const T t_196 = k_167 * v_8_2s + k_168 * v_8_4s + k_169 * v_8_6s + v_8_8s;
+  const T t_197 = k_170 * v_8_2s + v_8_4s + k_171 * v_8_6s - k_172 * v_8_8s;
+  const T t_198 = v_8_6s - k_173 * v_8_2s - k_174 * v_8_4s - k_175 * v_8_8s;
+  const T t_199 = v_8_2s - k_176 * v_8_4s + k_177 * v_8_6s - k_178 * v_8_8s;
+  const T t_200 = k_179 * v_8_3s - k_85 * v_8_1s + v_8_5s;
+  const T t_201 = k_180 * v_8_3s - k_131 * v_8_1s + v_8_7s;
+  const T t_202 = v_8_1s + k_92 * t_200 + k_181 * t_201;
+  const T t_203 = v_8_3s - k_182 * t_200 - k_183 * t_201;
+  const T t_204 = v_8_5s - k_184 * t_200 + k_185 * t_201;
+  const T t_205 = v_8_7s + k_185 * t_200 - k_186 * t_201;
+  const T p_8_7 = t_149 * t_199 + t_32 * t_205;
+  const T q_8_7 = cos_7b * t_205 - t_32 * t_199;
+  const T p_8_1 = k_165 * cos_b * t_196 + t_144 * t_202;
+  const T q_8_1 = cos_b * t_202 - t_144 * t_196;
+  const T p_8_3 = k_188 * cos_3b * t_197 + t_146 * t_203;
+  const T q_8_3 = cos_3b * t_203 - t_146 * t_197;
+  const T p_8_5 = k_162 * cos_5b * t_198 - t_148 * t_204;
+  const T q_8_5 = t_148 * t_198 + cos_5b * t_204;
+  const T t_206 = k_167 * p_8_1 + k_170 * p_8_3 - k_173 * p_8_5 + p_8_7;
+  const T t_207 = k_168 * p_8_1 + p_8_3 - k_174 * p_8_5 - k_176 * p_8_7;
+  const T t_208 = k_169 * p_8_1 + k_171 * p_8_3 + p_8_5 + k_177 * p_8_7;
+  const T t_209 = p_8_1 - k_172 * p_8_3 - k_175 * p_8_5 - k_178 * p_8_7;
+  const T t_210 = k_179 * q_8_3 - k_85 * q_8_1 + q_8_5;
+  const T t_211 = k_180 * q_8_3 - k_131 * q_8_1 + q_8_7;
+  const T t_212 = q_8_1 + k_92 * t_210 + k_181 * t_211;
+  const T t_213 = q_8_3 - k_182 * t_210 - k_183 * t_211;
+  const T t_214 = q_8_5 - k_184 * t_210 + k_185 * t_211;
+  const T t_215 = q_8_7 + k_185 * t_210 - k_186 * t_211;
+  out[73] = cos_a * t_192 - sin_a * t_212;                                          // l=8 m=1
+  out[71] = sin_a * t_192 + cos_a * t_212;                                          // l=8 m=-1
+  out[74] = cos_2a * t_188 - sin_2a * t_206;                                        // l=8 m=2
+  out[70] = sin_2a * t_188 + cos_2a * t_206;                                        // l=8 m=-2
+  out[75] = cos_3a * t_193 - sin_3a * t_213;                                        // l=8 m=3
+  out[69] = sin_3a * t_193 + cos_3a * t_213;                                        // l=8 m=-3
+  out[76] = cos_4a * t_189 - sin_4a * t_207;                                        // l=8 m=4
+  out[68] = sin_4a * t_189 + cos_4a * t_207;                                        // l=8 m=-4
+  out[77] = cos_5a * t_194 - sin_5a * t_214;                                        // l=8 m=5
+  out[67] = sin_5a * t_194 + cos_5a * t_214;                                        // l=8 m=-5
+  out[78] = cos_6a * t_190 - sin_6a * t_208;                                        // l=8 m=6
+  out[66] = sin_6a * t_190 + cos_6a * t_208;                                        // l=8 m=-6
+  out[79] = cos_7a * t_195 - sin_7a * t_215;                                        // l=8 m=7
+  out[65] = sin_7a * t_195 + cos_7a * t_215;                                        // l=8 m=-7
+  out[80] = cos_8a * t_191 - sin_8a * t_209;                                        // l=8 m=8
+  out[64] = sin_8a * t_191 + cos_8a * t_209;                                        // l=8 m=-8
 }
 
 }  // namespace sh

@@ -6,7 +6,7 @@
 // Input:        zonal (1), x, y, z
 // Domain:       |d| = 1 for d = (x, y, z), the new axis; zonal: any coefficients of Y_l0
 // Output:       out (1): sqrt(4 pi/(2l+1)) zonal[l] Y_lm(d) at index l(l+1)+m, orthonormal, no Condon-Shortley phase
-// Recipe:       recurrence
+// Recipe:       columns
 // Source:       P.-P. Sloan, J. Kautz, J. Snyder, "Precomputed Radiance Transfer", SIGGRAPH 2002; P.-P. Sloan, "Stupid
 //               Spherical Harmonics (SH) Tricks", GDC 2008; constants derived exactly
 // Cost:         0 multiplications, 0 additions; longest chain 0; at most 1 values live

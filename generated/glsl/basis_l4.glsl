@@ -6,101 +6,86 @@
 // Input:        x, y, z
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis
 // Output:       result (25): Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley phase
-// Recipe:       chebyshev
-// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
-// Cost:         41 multiplications, 18 additions; longest chain 8; at most 11 values live
+// Recipe:       recurrence
+// Source:       P.-P. Sloan, "Efficient Spherical Harmonic Evaluation", JCGT 2(2), 2013; constants derived exactly
+// Cost:         46 multiplications, 12 additions; longest chain 7; at most 7 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 4.3e-07 (4.2 eps)  largest seen 2.6e-07 (2.6 eps)
-//                       total                                largest seen 2.9e-07 (2.9 eps)
-//               double  rounding  at most 8.0e-16 (4.3 eps)  largest seen 4.7e-16 (2.5 eps)
-//                       total                                largest seen 7.2e-16 (3.8 eps)
+//               float   rounding  at most 6.7e-07 (6.6 eps)  largest seen 3.9e-07 (3.8 eps)
+//                       total                                largest seen 4.9e-07 (4.8 eps)
+//               double  rounding  at most 1.4e-15 (7.1 eps)  largest seen 8.3e-16 (4.4 eps)
+//                       total                                largest seen 1.7e-15 (9.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; operations round to nearest, with
 //               or without contraction
 //               total:    against the exact function at the input scaled to length 1
 //               seen:     among 1110 directions (random, axes, poles, near poles) and 262144 evaluations of a search,
 //               without contraction
-//               worst:    float x, y, z = 0.8532054, 0.0032800362, -0.5215648
-//                         double x, y, z = 2.469928990109269e-07, 0.9999997480890941, 0.0007098039782018623
+//               worst:    float x, y, z = -0.027807305, -0.091369934, -0.9954287
+//                         double x, y, z = 0.0002423023014844021, 0.0014795602496947009, 0.9999988760948996
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;
 #endif
 
 void basis_l4(float x, float y, float z, out float result[25]) {
-    const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
-    const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
-    const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
-    const float b_3_3  = 1.2076148;   // 1/12 sqrt(210)
-    const float a_3_3  = 2.4152296;   // 1/6 sqrt(210)
-    const float k_4_4s = 4.1943913;   // 2/5 sqrt(35) pi^(1/2)
-    const float k_4_4c = 2.0971956;   // 1/5 sqrt(35) pi^(1/2)
-    const float one    = 1.0;         // 1
-    const float k_4_3  = 3.0;         // 3
-    const float k_3_2  = 2.6457512;   // sqrt(7)
-    const float a_4_20 = 3.0310888;   // 7/4 sqrt(3)
-    const float b_4_20 = 2.1650636;   // 5/4 sqrt(3)
-    const float k_2_1  = 2.236068;    // sqrt(5)
-    const float a_3_10 = 2.3385358;   // 5/8 sqrt(14)
-    const float b_3_10 = 1.4031215;   // 3/8 sqrt(14)
-    const float a_4_10 = 2.1433036;   // 7/8 sqrt(6)
-    const float b_4_10 = 0.30618623;  // 1/8 sqrt(6)
-    const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float a_2_00 = 0.47308734;  // 3/8 sqrt(5/pi)
-    const float b_2_00 = 0.15769579;  // 1/8 sqrt(5/pi)
-    const float a_3_00 = 1.9094065;   // 5/12 sqrt(21)
-    const float b_3_00 = 0.3818813;   // 1/12 sqrt(21)
-    const float b_4_01 = 0.46281177;  // 105/128 sqrt(1/pi)
-    const float a_4_00 = 0.26446387;  // 15/32 sqrt(1/pi)
-    const float b_4_00 = 0.11900874;  // 27/128 sqrt(1/pi)
+    const float k_0_0 = 0.2820948;   // 1/2 sqrt(1/pi)
+    const float k_1_0 = 0.48860252;  // 1/2 sqrt(3/pi)
+    const float b_2_0 = 0.31539157;  // 1/4 sqrt(5/pi)
+    const float a_2_0 = 0.9461747;   // 3/4 sqrt(5/pi)
+    const float a_3_0 = 1.8658817;   // 5/4 sqrt(7/pi)
+    const float b_3_0 = 1.119529;    // 3/4 sqrt(7/pi)
+    const float a_4_0 = 1.9843135;   // 3/4 sqrt(7)
+    const float b_4_0 = 1.0062306;   // 9/20 sqrt(5)
+    const float k_2_1 = 1.0925485;   // 1/2 sqrt(15/pi)
+    const float b_3_1 = 0.4570458;   // 1/8 sqrt(42/pi)
+    const float a_3_1 = 2.285229;    // 5/8 sqrt(42/pi)
+    const float a_4_1 = 4.683326;    // 21/8 sqrt(10/pi)
+    const float b_4_1 = 2.0071397;   // 9/8 sqrt(10/pi)
+    const float k_2_2 = 0.54627424;  // 1/4 sqrt(15/pi)
+    const float k_3_2 = 1.4453057;   // 1/4 sqrt(105/pi)
+    const float b_4_2 = 0.47308734;  // 3/8 sqrt(5/pi)
+    const float a_4_2 = 3.3116114;   // 21/8 sqrt(5/pi)
+    const float k_3_3 = 0.5900436;   // 1/8 sqrt(70/pi)
+    const float k_4_3 = 1.7701308;   // 3/8 sqrt(70/pi)
+    const float k_4_4 = 0.6258357;   // 3/16 sqrt(35/pi)
 
-    result[0] = k_0_0;                                                  // l=0 m=0
-    float x2 = x * x;
-    float y2 = y * y;
-    float xy2 = x2 + y2;
-    float t = x2 - y2;
+    result[0] = k_0_0;                               // l=0 m=0
+    result[2] = k_1_0 * z;                           // l=1 m=0
+    result[1] = k_1_0 * y;                           // l=1 m=-1
+    result[3] = k_1_0 * x;                           // l=1 m=1
     float z2 = z * z;
-    float y_1_1c = k_1_1 * x;
-    result[3] = y_1_1c;                                                 // l=1 m=1
-    float y_2_2s = k_2_2s * x * y;
-    result[4] = y_2_2s;                                                 // l=2 m=-2
-    float y_1_1s = k_1_1 * y;
-    result[1] = y_1_1s;                                                 // l=1 m=-1
-    float y_2_2c = k_2_2c * t;
-    result[8] = y_2_2c;                                                 // l=2 m=2
-    float t_2 = a_3_3 * t;
-    float t_3 = b_3_3 * xy2;
-    float u = z2 - xy2;
-    float t_4 = z2 + z2 - one;
-    float y_3_3c = y_1_1c * (t_2 - t_3);
-    result[15] = y_3_3c;                                                // l=3 m=3
-    float y_3_3s = y_1_1s * (t_2 + t_3);
-    result[9] = y_3_3s;                                                 // l=3 m=-3
-    result[16] = k_4_4s * y_2_2c * y_2_2s;                              // l=4 m=-4
-    result[24] = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);        // l=4 m=4
-    float t_4_3 = k_4_3 * z;
-    result[17] = t_4_3 * y_3_3s;                                        // l=4 m=-3
-    result[23] = t_4_3 * y_3_3c;                                        // l=4 m=3
-    float t_3_2 = k_3_2 * z;
-    result[10] = t_3_2 * y_2_2s;                                        // l=3 m=-2
-    result[14] = t_3_2 * y_2_2c;                                        // l=3 m=2
-    float p_4_2 = a_4_20 * t_4 + b_4_20;
-    result[18] = p_4_2 * y_2_2s;                                        // l=4 m=-2
-    result[22] = p_4_2 * y_2_2c;                                        // l=4 m=2
-    float t_2_1 = k_2_1 * z;
-    float t_1_0 = k_1_1 * z;
-    result[2] = t_1_0;                                                  // l=1 m=0
-    float p_3_1 = a_3_10 * t_4 + b_3_10;
-    float p_4_1 = a_4_10 * t_4 + b_4_10;
-    result[11] = p_3_1 * y_1_1s;                                        // l=3 m=-1
-    result[13] = p_3_1 * y_1_1c;                                        // l=3 m=1
-    float y_2_1s = t_2_1 * y_1_1s;
-    result[5] = y_2_1s;                                                 // l=2 m=-1
-    float y_2_1c = t_2_1 * y_1_1c;
-    result[7] = y_2_1c;                                                 // l=2 m=1
-    result[19] = p_4_1 * y_2_1s;                                        // l=4 m=-1
-    result[21] = p_4_1 * y_2_1c;                                        // l=4 m=1
-    result[6] = a_2_00 * u + b_2_00;                                    // l=2 m=0
-    result[12] = (a_3_00 * u - b_3_00) * t_1_0;                         // l=3 m=0
-    result[20] = b_4_01 * ((u + u) * u - one) + (a_4_00 * u + b_4_00);  // l=4 m=0
+    float p_2_0 = a_2_0 * z2 - b_2_0;
+    result[6] = p_2_0;                               // l=2 m=0
+    float p_3_0 = z * (a_3_0 * z2 - b_3_0);
+    result[12] = p_3_0;                              // l=3 m=0
+    result[20] = a_4_0 * z * p_3_0 - b_4_0 * p_2_0;  // l=4 m=0
+    float p_2_1 = k_2_1 * z;
+    result[5] = p_2_1 * y;                           // l=2 m=-1
+    result[7] = p_2_1 * x;                           // l=2 m=1
+    float p_3_1 = a_3_1 * z2 - b_3_1;
+    result[11] = p_3_1 * y;                          // l=3 m=-1
+    result[13] = p_3_1 * x;                          // l=3 m=1
+    float p_4_1 = z * (a_4_1 * z2 - b_4_1);
+    result[19] = p_4_1 * y;                          // l=4 m=-1
+    result[21] = p_4_1 * x;                          // l=4 m=1
+    float p_4_2 = a_4_2 * z2 - b_4_2;
+    float c2 = x * x - y * y;
+    result[8] = k_2_2 * c2;                          // l=2 m=2
+    result[22] = p_4_2 * c2;                         // l=4 m=2
+    float xy = x * y;
+    float s2 = xy + xy;
+    result[18] = p_4_2 * s2;                         // l=4 m=-2
+    result[4] = k_2_2 * s2;                          // l=2 m=-2
+    float p_3_2 = k_3_2 * z;
+    result[10] = p_3_2 * s2;                         // l=3 m=-2
+    result[14] = p_3_2 * c2;                         // l=3 m=2
+    float p_4_3 = k_4_3 * z;
+    float c3 = x * c2 - y * s2;
+    float s3 = x * s2 + y * c2;
+    result[9] = k_3_3 * s3;                          // l=3 m=-3
+    result[15] = k_3_3 * c3;                         // l=3 m=3
+    result[17] = p_4_3 * s3;                         // l=4 m=-3
+    result[23] = p_4_3 * c3;                         // l=4 m=3
+    result[16] = k_4_4 * (x * s3 + y * c3);          // l=4 m=-4
+    result[24] = k_4_4 * (x * c3 - y * s3);          // l=4 m=4
 }

@@ -7,60 +7,62 @@
 // Domain:       0 <= one_minus_cos <= 2, that is 1 - cos(half-angle): 1 a hemisphere, 2 the sphere; any tiny cap. For a
 //               small half-angle h take 2 sin(h/2)^2
 // Output:       zonal (9): z_l of sum z_l Y_l0 for the function 1 in the cap and 0 outside; orthonormal Y_l0
-// Recipe:       recurrence
+// Recipe:       horner
 // Source:       M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 1964, 8.5.3, 8.5.4; constants derived
 //               exactly
-// Cost:         23 multiplications, 8 additions; longest chain 15; at most 4 values live
+// Cost:         23 multiplications, 15 additions; longest chain 10; at most 4 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1) pi) (1 - cos^2) / 2, the largest coefficient a cap of
 //               that area has (at l = 0: the coefficient)
-//               float   rounding  at most 5.5e-07 (29.8 eps)  largest seen 2.2e-07 (13.9 eps)
-//               double  rounding  at most 1.1e-15 (40.8 eps)  largest seen 3.7e-16 (14.6 eps)
+//               float   rounding  at most 1.5e-06 (7.5 eps)  largest seen 5.9e-07 (3.5 eps)
+//               double  rounding  at most 2.6e-15 (7.3 eps)  largest seen 6.2e-16 (3.9 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for one_minus_cos = 0 or 2^-120 to 2; operations round to nearest, with or without
 //               contraction
 //               seen:     among 522 sizes (random, a hemisphere, the sphere, 2^-1 to 2^-120) and 262144 evaluations of
 //               a search, without contraction
-//               worst:    float one_minus_cos = 2.8913341e-06
-//                         double one_minus_cos = 6.962679818817304e-07
+//               worst:    float one_minus_cos = 0.0001857523
+//                         double one_minus_cos = 6.826659798504972e-07
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;
 #endif
 
 void cap_l8(float one_minus_cos, out float zonal[9]) {
-    const float one = 1.0;        // 1
-    const float two = 2.0;        // 2
-    const float k0  = 1.7724539;  // pi^(1/2)
-    const float k1  = 1.5349901;  // 1/2 sqrt(3) pi^(1/2)
-    const float a2  = 1.2909944;  // 1/3 sqrt(15)
-    const float a3  = 1.47902;    // 1/4 sqrt(35)
-    const float b3  = 0.3818813;  // 1/12 sqrt(21)
-    const float a4  = 1.5874507;  // 3/5 sqrt(7)
-    const float b4  = 0.5366563;  // 6/25 sqrt(5)
-    const float a5  = 1.6583124;  // 1/2 sqrt(11)
-    const float b5  = 0.6267832;  // 1/14 sqrt(77)
-    const float a6  = 1.708323;   // 1/7 sqrt(143)
-    const float b6  = 0.6867717;  // 4/21 sqrt(13)
-    const float a7  = 1.74553;    // 1/8 sqrt(195)
-    const float b7  = 0.7298428;  // 5/88 sqrt(165)
-    const float a8  = 1.7743021;  // 1/9 sqrt(255)
-    const float b8  = 0.7623625;  // 2/39 sqrt(221)
+    const float one    = 1.0;         // 1
+    const float two    = 2.0;         // 2
+    const float k0     = 1.7724539;   // pi^(1/2)
+    const float a1_0   = 1.5349901;   // 1/2 sqrt(3) pi^(1/2)
+    const float a2_0   = 1.9816637;   // 1/2 sqrt(5) pi^(1/2)
+    const float a3_1   = 2.9309201;   // 5/8 sqrt(7) pi^(1/2)
+    const float a3_0   = 2.344736;    // 1/2 sqrt(7) pi^(1/2)
+    const float a4_1   = 4.6526914;   // 21/8 pi^(1/2)
+    const float a4_0   = 2.6586807;   // 3/2 pi^(1/2)
+    const float k_half = 0.5;         // 1/2
+    const float a5_2   = 7.7156157;   // 21/16 sqrt(11) pi^(1/2)
+    const float a5_1   = 2.571872;    // 7/16 sqrt(11) pi^(1/2)
+    const float a5_0   = 0.2755577;   // 3/64 sqrt(11) pi^(1/2)
+    const float a6_2   = 13.180763;   // 33/16 sqrt(13) pi^(1/2)
+    const float a6_1   = 1.1982512;   // 3/16 sqrt(13) pi^(1/2)
+    const float a6_0   = 0.6989799;   // 7/64 sqrt(13) pi^(1/2)
+    const float a7_3   = -23.007418;  // -429/128 sqrt(15) pi^(1/2)
+    const float a7_2   = 7.9641066;   // 297/256 sqrt(15) pi^(1/2)
+    const float a7_1   = 2.0513606;   // 153/512 sqrt(15) pi^(1/2)
+    const float a7_0   = 0.40893137;  // 61/1024 sqrt(15) pi^(1/2)
+    const float a8_3   = -40.822113;  // -715/128 sqrt(17) pi^(1/2)
+    const float a8_2   = 4.082211;    // 143/256 sqrt(17) pi^(1/2)
+    const float a8_1   = 4.5532355;   // 319/512 sqrt(17) pi^(1/2)
+    const float a8_0   = 0.19269179;  // 27/1024 sqrt(17) pi^(1/2)
 
-    float c = one - one_minus_cos;
-    zonal[0] = k0 * one_minus_cos;     // l=0
-    float z1 = k1 * one_minus_cos * (two - one_minus_cos);
-    zonal[1] = z1;                     // l=1
-    float z2 = a2 * c * z1;
-    zonal[2] = z2;                     // l=2
-    float z3 = a3 * c * z2 - b3 * z1;
-    zonal[3] = z3;                     // l=3
-    float z4 = a4 * c * z3 - b4 * z2;
-    zonal[4] = z4;                     // l=4
-    float z5 = a5 * c * z4 - b5 * z3;
-    zonal[5] = z5;                     // l=5
-    float z6 = a6 * c * z5 - b6 * z4;
-    zonal[6] = z6;                     // l=6
-    float z7 = a7 * c * z6 - b7 * z5;
-    zonal[7] = z7;                     // l=7
-    zonal[8] = a8 * c * z7 - b8 * z6;  // l=8
+    float s = one_minus_cos * (two - one_minus_cos);
+    zonal[0] = k0 * one_minus_cos;                                // l=0
+    float cs = (one - one_minus_cos) * s;
+    zonal[1] = a1_0 * s;                                          // l=1
+    zonal[2] = a2_0 * cs;                                         // l=2
+    zonal[3] = (a3_0 - a3_1 * s) * s;                             // l=3
+    zonal[4] = (a4_0 - a4_1 * s) * cs;                            // l=4
+    float v = s - k_half;
+    zonal[5] = ((a5_2 * v - a5_1) * v - a5_0) * s;                // l=5
+    zonal[6] = ((a6_2 * v - a6_1) * v - a6_0) * cs;               // l=6
+    zonal[7] = (((a7_3 * v + a7_2) * v + a7_1) * v - a7_0) * s;   // l=7
+    zonal[8] = (((a8_3 * v + a8_2) * v + a8_1) * v - a8_0) * cs;  // l=8
 }

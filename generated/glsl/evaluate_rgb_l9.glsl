@@ -7,32 +7,34 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis; any c
 // Output:       rgb (3): red, green, blue: the sums of c_lm Y_lm(d); c (3, 100), channel by channel: coefficients of
 //               the orthonormal Y_lm, no Condon-Shortley phase, at index l(l+1)+m
-// Recipe:       chebyshev
-// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
-// Cost:         423 multiplications, 390 additions; longest chain 30; at most 323 values live
+// Recipe:       columns
+// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
+//               exactly
+// Cost:         413 multiplications, 349 additions; longest chain 31; at most 323 values live
 // Error:        eps counts units of machine epsilon x |c| sqrt((2L+1)/(4 pi)), the most that the top band alone can
 //               reach
-//               float   rounding  at most 1.3e-05 (83.6 eps)  largest seen 2.5e-06 (17.4 eps)
-//                       total                                 largest seen 2.5e-06 (17.0 eps)
-//               double  rounding  at most 2.3e-14 (83.4 eps)  largest seen 4.9e-15 (18.0 eps)
-//                       total                                 largest seen 4.9e-15 (17.9 eps)
+//               float   rounding  at most 1.7e-05 (114.2 eps)  largest seen 2.5e-06 (17.3 eps)
+//                       total                                  largest seen 2.3e-06 (15.9 eps)
+//               double  rounding  at most 3.1e-14 (111.1 eps)  largest seen 7.9e-15 (28.9 eps)
+//                       total                                  largest seen 9.0e-15 (33.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
 //               total:    against the exact function at the direction scaled to length 1
 //               seen:     among 400 coefficient vectors (random, of norm 1) with directions (random, axes, poles, near
-//               poles) and 257152 evaluations of a search, without contraction
+//               poles) and 262144 evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
 precision highp float;
 #endif
 
 void evaluate_rgb_l9(float c[300], float x, float y, float z, out float rgb[3]) {
+    const float one    = 1.0;         // 1
     const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
     const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
     const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
     const float b_3_3  = 1.2076148;   // 1/12 sqrt(210)
-    const float a_3_3  = 2.4152296;   // 1/6 sqrt(210)
+    const float a_3_3  = 4.4212766;   // 2/3 sqrt(14) pi^(1/2)
     const float k_4_4s = 4.1943913;   // 2/5 sqrt(35) pi^(1/2)
     const float k_4_4c = 2.0971956;   // 1/5 sqrt(35) pi^(1/2)
     const float k_5_5  = 1.0488088;   // 1/10 sqrt(110)
@@ -42,201 +44,162 @@ void evaluate_rgb_l9(float c[300], float x, float y, float z, out float rgb[3]) 
     const float k_8_8s = 3.7221434;   // 2/105 sqrt(12155) pi^(1/2)
     const float k_8_8c = 1.8610717;   // 1/105 sqrt(12155) pi^(1/2)
     const float k_9_9  = 1.0274023;   // 1/6 sqrt(38)
-    const float one    = 1.0;         // 1
     const float k_9_8  = 4.358899;    // sqrt(19)
     const float k_8_7  = 4.1231055;   // sqrt(17)
-    const float a_9_70 = 6.54969;     // 17/16 sqrt(38)
-    const float b_9_70 = 5.779138;    // 15/16 sqrt(38)
+    const float a_9_7  = 13.09938;    // 17/8 sqrt(38)
+    const float b_9_7  = 0.77055174;  // 1/8 sqrt(38)
     const float k_7_6  = 3.8729835;   // sqrt(15)
-    const float a_8_60 = 5.843953;    // 15/28 sqrt(119)
-    const float b_8_60 = 5.0647593;   // 13/28 sqrt(119)
-    const float a_9_60 = 4.0425563;   // 17/84 sqrt(399)
-    const float b_9_60 = 2.6157718;   // 11/84 sqrt(399)
+    const float a_8_6  = 11.687906;   // 15/14 sqrt(119)
+    const float b_8_6  = 0.7791937;   // 1/14 sqrt(119)
+    const float a_9_6  = 8.085113;    // 17/42 sqrt(399)
+    const float b_9_6  = 1.4267846;   // 1/14 sqrt(399)
     const float k_6_5  = 3.6055512;   // sqrt(13)
-    const float a_7_50 = 5.138701;    // 13/8 sqrt(10)
-    const float b_7_50 = 4.3481317;   // 11/8 sqrt(10)
-    const float a_8_50 = 3.644345;    // 5/8 sqrt(34)
-    const float b_8_50 = 2.186607;    // 3/8 sqrt(34)
-    const float b_9_51 = 7.889299;    // 85/448 sqrt(1729)
-    const float a_9_50 = 20.419361;   // 55/112 sqrt(1729)
-    const float b_9_50 = 13.272585;   // 143/448 sqrt(1729)
+    const float a_7_5  = 10.277402;   // 13/4 sqrt(10)
+    const float b_7_5  = 0.7905694;   // 1/4 sqrt(10)
+    const float a_8_5  = 7.28869;     // 5/4 sqrt(34)
+    const float b_8_5  = 1.4577379;   // 1/4 sqrt(34)
+    const float a_9_5  = 0.9655088;   // 15/646 sqrt(1729)
+    const float b_9_5  = 1.2229778;   // 1/34 sqrt(1729)
     const float k_5_4  = 3.3166249;   // sqrt(11)
-    const float a_6_40 = 4.434242;    // 11/20 sqrt(65)
-    const float b_6_40 = 3.628016;    // 9/20 sqrt(65)
-    const float a_7_40 = 3.25;        // 13/4
-    const float b_7_40 = 1.75;        // 7/4
-    const float b_8_41 = 6.2111096;   // 13/64 sqrt(935)
-    const float a_8_40 = 14.906663;   // 39/80 sqrt(935)
-    const float b_8_40 = 9.459997;    // 99/320 sqrt(935)
-    const float b_9_41 = 4.1746244;   // 17/64 sqrt(247)
-    const float a_9_40 = 6.875852;    // 7/16 sqrt(247)
-    const float b_9_40 = 4.6657567;   // 19/64 sqrt(247)
+    const float a_6_4  = 8.868484;    // 11/10 sqrt(65)
+    const float b_6_4  = 0.8062258;   // 1/10 sqrt(65)
+    const float a_7_4  = 6.5;         // 13/2
+    const float b_7_4  = 1.5;         // 3/2
+    const float a_8_4  = 0.93532;     // 13/425 sqrt(935)
+    const float b_8_4  = 1.2231108;   // 1/25 sqrt(935)
+    const float a_9_4  = 0.52915025;  // 1/5 sqrt(7)
+    const float b_9_4  = 1.0781248;   // 1/85 sqrt(8398)
     const float k_4_3  = 3.0;         // 3
-    const float a_5_30 = 3.7312028;   // 9/8 sqrt(11)
-    const float b_5_30 = 2.9020467;   // 7/8 sqrt(11)
-    const float a_6_30 = 2.8622909;   // 11/24 sqrt(39)
-    const float b_6_30 = 1.3010412;   // 5/24 sqrt(39)
-    const float b_7_31 = 4.7398252;   // 429/128 sqrt(2)
-    const float a_7_30 = 10.208854;   // 231/32 sqrt(2)
-    const float b_7_30 = 6.264524;    // 567/128 sqrt(2)
-    const float b_8_31 = 3.4019647;   // 13/128 sqrt(1122)
-    const float a_8_30 = 4.535953;    // 13/96 sqrt(1122)
-    const float b_8_30 = 3.227505;    // 37/384 sqrt(1122)
-    const float a_9_31 = 10.808268;   // 221/512 sqrt(627)
-    const float b_9_31 = 13.351389;   // 273/512 sqrt(627)
-    const float a_9_30 = 14.622951;   // 299/512 sqrt(627)
-    const float b_9_30 = 11.297329;   // 231/512 sqrt(627)
+    const float a_5_3  = 7.4624057;   // 9/4 sqrt(11)
+    const float b_5_3  = 0.8291562;   // 1/4 sqrt(11)
+    const float a_6_3  = 5.7245817;   // 11/12 sqrt(39)
+    const float b_6_3  = 1.5612495;   // 1/4 sqrt(39)
+    const float a_7_3  = 0.8974817;   // 33/52 sqrt(2)
+    const float b_7_3  = 1.2238387;   // 45/52 sqrt(2)
+    const float a_8_3  = 0.5477226;   // 1/10 sqrt(30)
+    const float b_8_3  = 1.1165423;   // 1/30 sqrt(1122)
+    const float a_9_3  = 5.1780787;   // 1/4 sqrt(429)
+    const float b_9_3  = 1.0236181;   // 1/68 sqrt(4845)
     const float k_3_2  = 2.6457512;   // sqrt(7)
-    const float a_4_20 = 3.0310888;   // 7/4 sqrt(3)
-    const float b_4_20 = 2.1650636;   // 5/4 sqrt(3)
-    const float a_5_20 = 2.4874685;   // 3/4 sqrt(11)
-    const float b_5_20 = 0.8291562;   // 1/4 sqrt(11)
-    const float b_6_21 = 3.4780807;   // 33/128 sqrt(182)
-    const float a_6_20 = 6.3237834;   // 15/32 sqrt(182)
-    const float b_6_20 = 3.6888735;   // 35/128 sqrt(182)
-    const float b_7_21 = 2.7365394;   // 143/128 sqrt(6)
-    const float a_7_20 = 2.5260363;   // 33/32 sqrt(6)
-    const float b_7_20 = 2.0858936;   // 109/128 sqrt(6)
-    const float a_8_21 = 7.46303;     // 143/512 sqrt(714)
-    const float a_8_20 = 6.3148713;   // 121/512 sqrt(714)
-    const float b_8_20 = 5.479847;    // 105/512 sqrt(714)
-    const float a_9_21 = 5.7772617;   // 221/3584 sqrt(8778)
-    const float b_9_21 = 3.0585504;   // 117/3584 sqrt(8778)
-    const float a_9_20 = 2.3788726;   // 13/512 sqrt(8778)
-    const float b_9_20 = 2.169741;    // 83/3584 sqrt(8778)
+    const float a_4_2  = 6.0621777;   // 7/2 sqrt(3)
+    const float b_4_2  = 0.8660254;   // 1/2 sqrt(3)
+    const float a_5_2  = 4.974937;    // 3/2 sqrt(11)
+    const float b_5_2  = 1.6583124;   // 1/2 sqrt(11)
+    const float a_6_2  = 0.8490674;   // 9/143 sqrt(182)
+    const float b_6_2  = 1.2264307;   // 1/11 sqrt(182)
+    const float a_7_2  = 0.7867958;   // 1/21 sqrt(273)
+    const float b_7_2  = 0.9847319;   // 4/33 sqrt(66)
+    const float a_8_2  = 5.454356;    // 1/2 sqrt(119)
+    const float b_8_2  = 0.9903379;   // 1/26 sqrt(663)
+    const float a_9_2  = 0.77411747;  // 1/77 sqrt(3553)
+    const float b_9_2  = 0.9934853;   // 2/77 sqrt(1463)
     const float k_2_1  = 2.236068;    // sqrt(5)
-    const float a_3_10 = 2.3385358;   // 5/8 sqrt(14)
-    const float b_3_10 = 1.4031215;   // 3/8 sqrt(14)
-    const float a_4_10 = 2.1433036;   // 7/8 sqrt(6)
-    const float b_4_10 = 0.30618623;  // 1/8 sqrt(6)
-    const float b_5_11 = 2.4334402;   // 21/64 sqrt(55)
-    const float a_5_10 = 3.244587;    // 7/16 sqrt(55)
-    const float b_5_10 = 1.7381716;   // 15/64 sqrt(55)
-    const float b_6_11 = 2.1997313;   // 33/320 sqrt(455)
-    const float a_6_10 = 0.7999023;   // 3/80 sqrt(455)
-    const float b_6_10 = 1.266512;    // 19/320 sqrt(455)
-    const float a_7_11 = 4.957028;    // 429/512 sqrt(35)
-    const float b_7_11 = 3.4317884;   // 297/512 sqrt(35)
-    const float a_7_10 = 1.4212457;   // 123/512 sqrt(35)
-    const float b_7_10 = 2.0220976;   // 175/512 sqrt(35)
-    const float a_8_11 = 4.4600134;   // 143/512 sqrt(255)
-    const float b_8_11 = 0.8920027;   // 143/2560 sqrt(255)
-    const float a_8_10 = 0.48030913;  // 77/2560 sqrt(255)
-    const float b_8_10 = 0.5551625;   // 89/2560 sqrt(255)
-    const float b_9_12 = 5.009766;    // 2431/8192 sqrt(285)
-    const float a_9_11 = 7.072611;    // 429/1024 sqrt(285)
-    const float b_9_11 = 4.1256895;   // 1001/4096 sqrt(285)
-    const float a_9_10 = 0.90674496;  // 55/1024 sqrt(285)
-    const float b_9_10 = 0.2328686;   // 113/8192 sqrt(285)
+    const float a_3_1  = 4.6770716;   // 5/4 sqrt(14)
+    const float b_3_1  = 3.7416575;   // sqrt(14)
+    const float a_4_1  = 4.2866073;   // 7/4 sqrt(6)
+    const float b_4_1  = 2.4494898;   // sqrt(6)
+    const float a_5_1  = 0.7865665;   // 7/66 sqrt(55)
+    const float b_5_1  = 1.2360331;   // 1/6 sqrt(55)
+    const float a_6_1  = 0.9039596;   // 1/35 sqrt(1001)
+    const float b_6_1  = 0.9952267;   // 2/105 sqrt(2730)
+    const float a_7_1  = 4.506939;    // 5/4 sqrt(13)
+    const float b_7_1  = 0.9971551;   // 5/44 sqrt(77)
+    const float a_8_1  = 0.8997354;   // 1/21 sqrt(357)
+    const float b_8_1  = 0.9981668;   // 4/273 sqrt(4641)
+    const float a_9_1  = 4.49305;     // 1/4 sqrt(323)
+    const float b_9_1  = 0.9987492;   // 1/20 sqrt(399)
     const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float a_2_00 = 0.47308734;  // 3/8 sqrt(5/pi)
-    const float b_2_00 = 0.15769579;  // 1/8 sqrt(5/pi)
-    const float a_3_00 = 1.9094065;   // 5/12 sqrt(21)
-    const float b_3_00 = 0.3818813;   // 1/12 sqrt(21)
-    const float b_4_01 = 0.46281177;  // 105/128 sqrt(1/pi)
-    const float a_4_00 = 0.26446387;  // 15/32 sqrt(1/pi)
-    const float b_4_00 = 0.11900874;  // 27/128 sqrt(1/pi)
-    const float b_5_01 = 1.8849347;   // 21/64 sqrt(33)
-    const float a_5_00 = 0.8377487;   // 7/48 sqrt(33)
-    const float b_5_00 = 0.86766833;  // 29/192 sqrt(33)
-    const float a_6_01 = 0.91778034;  // 231/512 sqrt(13/pi)
-    const float b_6_01 = 0.25030375;  // 63/512 sqrt(13/pi)
-    const float b_6_00 = 0.09932688;  // 25/512 sqrt(13/pi)
-    const float a_7_01 = 3.7471607;   // 429/256 sqrt(5)
-    const float b_7_01 = 0.8647294;   // 99/256 sqrt(5)
-    const float a_7_00 = 0.18342745;  // 21/256 sqrt(5)
-    const float b_7_00 = 0.46293595;  // 53/256 sqrt(5)
-    const float b_8_02 = 0.9136464;   // 6435/16384 sqrt(17/pi)
-    const float a_8_01 = 0.48727807;  // 429/2048 sqrt(17/pi)
-    const float b_8_01 = 0.19678538;  // 693/8192 sqrt(17/pi)
-    const float a_8_00 = 0.06474324;  // 57/2048 sqrt(17/pi)
-    const float b_8_00 = 0.36985996;  // 2605/16384 sqrt(17/pi)
-    const float b_9_02 = 3.734059;    // 12155/24576 sqrt(57)
-    const float a_9_01 = 1.7572043;   // 715/3072 sqrt(57)
-    const float b_9_01 = 1.6693441;   // 2717/12288 sqrt(57)
-    const float a_9_00 = 0.08110174;  // 11/1024 sqrt(57)
-    const float b_9_00 = 1.0484858;   // 3413/24576 sqrt(57)
+    const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
+    const float b_2_0  = 0.63078314;  // 1/2 sqrt(5/pi)
+    const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
+    const float b_3_0  = 1.5275252;   // 1/3 sqrt(21)
+    const float a_4_0  = 0.20149627;  // 5/14 sqrt(1/pi)
+    const float b_4_0  = 0.3626933;   // 9/14 sqrt(1/pi)
+    const float a_5_0  = 4.0727887;   // 2/5 sqrt(33) pi^(1/2)
+    const float b_5_0  = 1.002853;    // 4/35 sqrt(77)
+    const float a_6_0  = 0.973806;    // 1/12 sqrt(429/pi)
+    const float b_6_0  = 1.001542;    // 5/18 sqrt(13)
+    const float a_7_0  = 4.0828514;   // 2/7 sqrt(65) pi^(1/2)
+    const float b_7_0  = 1.0009272;   // 6/77 sqrt(165)
+    const float a_8_0  = 0.97529453;  // 3/16 sqrt(85/pi)
+    const float b_8_0  = 1.0006008;   // 7/104 sqrt(221)
+    const float a_9_0  = 4.086985;    // 2/27 sqrt(969) pi^(1/2)
+    const float b_9_0  = 1.0004114;   // 8/135 sqrt(285)
 
-    float x2 = x * x;
-    float y2 = y * y;
-    float xy2 = x2 + y2;
-    float t = x2 - y2;
     float z2 = z * z;
+    float xy2 = one - z2;
     float y_1_1c = k_1_1 * x;
     float y_1_1s = k_1_1 * y;
-    float y_2_2s = k_2_2s * x * y;
-    float y_2_2c = k_2_2c * t;
-    float t_2 = a_3_3 * t;
-    float t_3 = b_3_3 * xy2;
-    float u = z2 - xy2;
-    float t_4 = z2 + z2 - one;
-    float y_3_3c = y_1_1c * (t_2 - t_3);
-    float y_3_3s = y_1_1s * (t_2 + t_3);
+    float t = k_2_2s * x;
+    float y_2_2s = t * y;
+    float y_2_2c = t * x - k_2_2c * xy2;
+    float t_2 = b_3_3 * xy2;
+    float t_3 = a_3_3 * y_2_2c;
+    float y_3_3c = y_1_1c * (t_3 - t_2);
+    float y_3_3s = y_1_1s * (t_3 + t_2);
     float y_4_4s = k_4_4s * y_2_2c * y_2_2s;
     float y_4_4c = k_4_4c * (y_2_2c - y_2_2s) * (y_2_2c + y_2_2s);
-    float t_5 = k_5_5 * x;
-    float t_6 = k_5_5 * y;
-    float y_5_5c = t_5 * y_4_4c - t_6 * y_4_4s;
-    float y_5_5s = t_5 * y_4_4s + t_6 * y_4_4c;
+    float t_4 = k_5_5 * x;
+    float t_5 = k_5_5 * y;
+    float y_5_5c = t_4 * y_4_4c - t_5 * y_4_4s;
+    float y_5_5s = t_4 * y_4_4s + t_5 * y_4_4c;
     float y_6_6s = k_6_6s * y_3_3c * y_3_3s;
     float y_6_6c = k_6_6c * (y_3_3c - y_3_3s) * (y_3_3c + y_3_3s);
-    float t_7 = k_7_7 * x;
-    float t_8 = k_9_9 * x;
-    float t_9 = k_7_7 * y;
-    float t_10 = k_9_9 * y;
-    float y_7_7c = t_7 * y_6_6c - t_9 * y_6_6s;
-    float y_7_7s = t_7 * y_6_6s + t_9 * y_6_6c;
+    float t_6 = k_7_7 * x;
+    float t_7 = k_9_9 * x;
+    float t_8 = k_7_7 * y;
+    float t_9 = k_9_9 * y;
+    float y_7_7c = t_6 * y_6_6c - t_8 * y_6_6s;
+    float y_7_7s = t_6 * y_6_6s + t_8 * y_6_6c;
     float y_8_8s = k_8_8s * y_4_4c * y_4_4s;
     float y_8_8c = k_8_8c * (y_4_4c - y_4_4s) * (y_4_4c + y_4_4s);
-    float y_9_9c = t_8 * y_8_8c - t_10 * y_8_8s;
-    float y_9_9s = t_8 * y_8_8s + t_10 * y_8_8c;
-    float t_11 = (u + u) * u - one;
-    float t_12 = (t_4 + t_4) * t_4 - one;
+    float y_9_9c = t_7 * y_8_8c - t_9 * y_8_8s;
+    float y_9_9s = t_7 * y_8_8s + t_9 * y_8_8c;
     float t_9_8 = k_9_8 * z;
     float t_8_7 = k_8_7 * z;
-    float p_9_7 = a_9_70 * t_4 + b_9_70;
+    float p_9_7 = a_9_7 * z2 - b_9_7;
     float t_7_6 = k_7_6 * z;
-    float p_8_6 = a_8_60 * t_4 + b_8_60;
-    float p_9_6 = a_9_60 * t_4 + b_9_60;
+    float p_8_6 = a_8_6 * z2 - b_8_6;
+    float p_9_6 = a_9_6 * z2 - b_9_6;
     float t_6_5 = k_6_5 * z;
-    float p_7_5 = a_7_50 * t_4 + b_7_50;
-    float p_8_5 = a_8_50 * t_4 + b_8_50;
-    float p_9_5 = b_9_51 * t_12 + (a_9_50 * t_4 + b_9_50);
+    float p_7_5 = a_7_5 * z2 - b_7_5;
+    float p_8_5 = a_8_5 * z2 - b_8_5;
+    float p_9_5 = a_9_5 * p_9_6 * p_9_6 - b_9_5;
     float t_5_4 = k_5_4 * z;
-    float p_6_4 = a_6_40 * t_4 + b_6_40;
-    float p_7_4 = a_7_40 * t_4 + b_7_40;
-    float p_8_4 = b_8_41 * t_12 + (a_8_40 * t_4 + b_8_40);
-    float p_9_4 = b_9_41 * t_12 + (a_9_40 * t_4 + b_9_40);
+    float p_6_4 = a_6_4 * z2 - b_6_4;
+    float p_7_4 = a_7_4 * z2 - b_7_4;
+    float p_8_4 = a_8_4 * p_8_5 * p_8_5 - b_8_4;
+    float p_9_4 = a_9_4 * p_9_5 - b_9_4 * p_8_5;
     float t_4_3 = k_4_3 * z;
-    float p_5_3 = a_5_30 * t_4 + b_5_30;
-    float p_6_3 = a_6_30 * t_4 + b_6_30;
-    float p_7_3 = b_7_31 * t_12 + (a_7_30 * t_4 + b_7_30);
-    float p_8_3 = b_8_31 * t_12 + (a_8_30 * t_4 + b_8_30);
-    float p_9_3 = (a_9_31 * t_4 + b_9_31) * t_12 + (a_9_30 * t_4 + b_9_30);
+    float p_5_3 = a_5_3 * z2 - b_5_3;
+    float p_6_3 = a_6_3 * z2 - b_6_3;
+    float p_7_3 = a_7_3 * p_7_4 * p_7_4 - b_7_3;
+    float p_8_3 = a_8_3 * p_8_4 - b_8_3 * p_7_4;
+    float p_9_3 = a_9_3 * z2 * p_9_4 - b_9_3 * p_8_4;
     float t_3_2 = k_3_2 * z;
-    float p_4_2 = a_4_20 * t_4 + b_4_20;
-    float p_5_2 = a_5_20 * t_4 + b_5_20;
-    float p_6_2 = b_6_21 * t_12 + (a_6_20 * t_4 + b_6_20);
-    float p_7_2 = b_7_21 * t_12 + (a_7_20 * t_4 + b_7_20);
-    float p_8_2 = (a_8_21 * t_4 + a_8_21) * t_12 + (a_8_20 * t_4 + b_8_20);
-    float p_9_2 = (a_9_21 * t_4 + b_9_21) * t_12 + (a_9_20 * t_4 + b_9_20);
+    float p_4_2 = a_4_2 * z2 - b_4_2;
+    float p_5_2 = a_5_2 * z2 - b_5_2;
+    float p_6_2 = a_6_2 * p_6_3 * p_6_3 - b_6_2;
+    float p_7_2 = a_7_2 * p_6_2 - b_7_2 * p_5_2;
+    float p_8_2 = a_8_2 * z2 * p_7_2 - b_8_2 * p_6_2;
+    float p_9_2 = a_9_2 * p_8_2 - b_9_2 * p_7_2;
     float t_2_1 = k_2_1 * z;
     float t_1_0 = k_1_1 * z;
-    float p_3_1 = a_3_10 * t_4 + b_3_10;
-    float p_4_1 = a_4_10 * t_4 + b_4_10;
-    float p_5_1 = b_5_11 * t_12 + (a_5_10 * t_4 + b_5_10);
-    float p_6_1 = b_6_11 * t_12 + (a_6_10 * t_4 + b_6_10);
-    float p_7_1 = (a_7_11 * t_4 + b_7_11) * t_12 + (a_7_10 * t_4 + b_7_10);
-    float p_8_1 = (a_8_11 * t_4 + b_8_11) * t_12 + (a_8_10 * t_4 + b_8_10);
-    float p_9_1 = (b_9_12 * t_12 + (a_9_11 * t_4 + b_9_11)) * t_12 + (a_9_10 * t_4 - b_9_10);
-    float p_2_0 = a_2_00 * u + b_2_00;
-    float p_3_0 = a_3_00 * u - b_3_00;
-    float p_4_0 = b_4_01 * t_11 + (a_4_00 * u + b_4_00);
-    float p_5_0 = b_5_01 * t_11 + (b_5_00 - a_5_00 * u);
-    float p_6_0 = (a_6_01 * u + b_6_01) * t_11 + (b_6_00 - b_6_01 * u);
-    float p_7_0 = (a_7_01 * u - b_7_01) * t_11 - (a_7_00 * u + b_7_00);
-    float p_8_0 = (b_8_02 * t_11 + (a_8_01 * u + b_8_01)) * t_11 - (a_8_00 * u + b_8_00);
-    float p_9_0 = (b_9_02 * t_11 + (b_9_01 - a_9_01 * u)) * t_11 - (a_9_00 * u + b_9_00);
+    float p_3_1 = b_3_1 - a_3_1 * xy2;
+    float p_4_1 = b_4_1 - a_4_1 * xy2;
+    float p_5_1 = a_5_1 * p_5_2 * p_5_2 - b_5_1;
+    float p_6_1 = a_6_1 * p_5_1 - b_6_1 * p_4_1;
+    float p_7_1 = a_7_1 * z2 * p_6_1 - b_7_1 * p_5_1;
+    float p_8_1 = a_8_1 * p_7_1 - b_8_1 * p_6_1;
+    float p_9_1 = a_9_1 * z2 * p_8_1 - b_9_1 * p_7_1;
+    float p_2_0 = b_2_0 - a_2_0 * xy2;
+    float p_3_0 = b_3_0 - a_3_0 * xy2;
+    float p_4_0 = a_4_0 * p_4_1 * p_4_1 - b_4_0;
+    float p_5_0 = a_5_0 * p_4_0 - b_5_0 * p_3_0;
+    float p_6_0 = a_6_0 * z2 * p_5_0 - b_6_0 * p_4_0;
+    float p_7_0 = a_7_0 * p_6_0 - b_7_0 * p_5_0;
+    float p_8_0 = a_8_0 * z2 * p_7_0 - b_8_0 * p_6_0;
+    float p_9_0 = a_9_0 * p_8_0 - b_9_0 * p_7_0;
     rgb[0] = c[99] * y_9_9c + c[81] * y_9_9s + (c[98] * t_9_8 + c[80]) * y_8_8c + (c[82] * t_9_8 + c[64]) * y_8_8s
         + (c[79] * t_8_7 + (c[97] * p_9_7 + c[63])) * y_7_7c + (c[65] * t_8_7 + (c[83] * p_9_7 + c[49])) * y_7_7s
         + ((c[96] * p_9_6 + c[62]) * t_7_6 + (c[78] * p_8_6 + c[48])) * y_6_6c + ((c[84] * p_9_6 + c[50]) * t_7_6

@@ -7,15 +7,14 @@
 // Domain:       |d| = 1 for d = (x, y, z); z is the polar axis; any weight
 // Output:       sum (16): sum += weight Y_lm(d) at index l(l+1)+m, orthonormal on the unit sphere, no Condon-Shortley
 //               phase
-// Recipe:       parity
-// Source:       parity in z, doubling in m, columns tied by Gegenbauer relations (Abramowitz and Stegun 22.7); derived
-//               exactly
-// Cost:         30 multiplications, 24 additions; longest chain 6; at most 24 values live
+// Recipe:       chebyshev
+// Source:       Chebyshev polynomials of 2z^2-1 for every degree and order, doubling in m; derived exactly
+// Cost:         31 multiplications, 26 additions; longest chain 7; at most 25 values live
 // Error:        eps counts units of machine epsilon x |weight| sqrt((2l+1)/(4 pi)) + |sum before|
-//               float   rounding  at most 6.0e-07 (6.1 eps)  largest seen 4.1e-07 (3.2 eps)
-//                       total                                largest seen 4.3e-07 (3.5 eps)
-//               double  rounding  at most 1.1e-15 (5.8 eps)  largest seen 7.2e-16 (3.3 eps)
-//                       total                                largest seen 9.8e-16 (4.2 eps)
+//               float   rounding  at most 5.3e-07 (5.3 eps)  largest seen 3.8e-07 (3.0 eps)
+//                       total                                largest seen 4.5e-07 (3.3 eps)
+//               double  rounding  at most 9.4e-16 (5.0 eps)  largest seen 6.5e-16 (2.6 eps)
+//                       total                                largest seen 8.9e-16 (3.2 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for a direction off length 1 by at most 2 epsilon; coefficients of size 2^-20 to 2^20;
 //               operations round to nearest, with or without contraction
@@ -28,49 +27,53 @@ precision highp float;
 #endif
 
 void project_l3(float x, float y, float z, float weight, inout float sum[16]) {
-    const float one    = 1.0;         // 1
     const float k_1_1  = 0.48860252;  // 1/2 sqrt(3/pi)
     const float k_2_2s = 1.0925485;   // 1/2 sqrt(15/pi)
     const float k_2_2c = 0.54627424;  // 1/4 sqrt(15/pi)
     const float b_3_3  = 1.2076148;   // 1/12 sqrt(210)
     const float a_3_3  = 2.4152296;   // 1/6 sqrt(210)
+    const float one    = 1.0;         // 1
     const float k_3_2  = 2.6457512;   // sqrt(7)
     const float k_2_1  = 2.236068;    // sqrt(5)
-    const float a_3_1  = 4.6770716;   // 5/4 sqrt(14)
-    const float b_3_1  = 0.9354144;   // 1/4 sqrt(14)
+    const float a_3_10 = 2.3385358;   // 5/8 sqrt(14)
+    const float b_3_10 = 1.4031215;   // 3/8 sqrt(14)
     const float k_0_0  = 0.2820948;   // 1/2 sqrt(1/pi)
-    const float a_2_0  = 0.9461747;   // 3/4 sqrt(5/pi)
-    const float b_2_0  = 0.31539157;  // 1/4 sqrt(5/pi)
-    const float a_3_0  = 3.818813;    // 5/6 sqrt(21)
-    const float b_3_0  = 2.291288;    // 1/2 sqrt(21)
+    const float a_2_00 = 0.47308734;  // 3/8 sqrt(5/pi)
+    const float b_2_00 = 0.15769579;  // 1/8 sqrt(5/pi)
+    const float a_3_00 = 1.9094065;   // 5/12 sqrt(21)
+    const float b_3_00 = 0.3818813;   // 1/12 sqrt(21)
 
+    float x2 = x * x;
+    float y2 = y * y;
+    float xy2 = x2 + y2;
+    float t = x2 - y2;
     float z2 = z * z;
-    float t = b_3_3 * (one - z2);
     float y_2_2s = weight * (k_2_2s * x * y);
-    sum[4] = sum[4] + y_2_2s;                          // l=2 m=-2
-    float t_2 = (x - y) * (x + y);
-    float t_3 = a_3_3 * t_2;
-    float y_2_2c = weight * (k_2_2c * t_2);
-    sum[8] = sum[8] + y_2_2c;                          // l=2 m=2
+    sum[4] = sum[4] + y_2_2s;                           // l=2 m=-2
+    float t_2 = a_3_3 * t;
+    float y_2_2c = weight * (k_2_2c * t);
+    sum[8] = sum[8] + y_2_2c;                           // l=2 m=2
+    float t_3 = b_3_3 * xy2;
+    float u = z2 - xy2;
+    float p_3_1 = a_3_10 * (z2 + z2 - one) + b_3_10;
     float t_4 = k_1_1 * weight;
     float y_1_1c = t_4 * x;
     float y_1_1s = t_4 * y;
-    sum[1] = sum[1] + y_1_1s;                          // l=1 m=-1
-    sum[3] = sum[3] + y_1_1c;                          // l=1 m=1
-    sum[15] = sum[15] + y_1_1c * (t_3 - t);            // l=3 m=3
-    sum[9] = sum[9] + y_1_1s * (t_3 + t);              // l=3 m=-3
+    sum[1] = sum[1] + y_1_1s;                           // l=1 m=-1
+    sum[3] = sum[3] + y_1_1c;                           // l=1 m=1
+    sum[15] = sum[15] + y_1_1c * (t_2 - t_3);           // l=3 m=3
+    sum[9] = sum[9] + y_1_1s * (t_2 + t_3);             // l=3 m=-3
     float t_3_2 = k_3_2 * z;
-    sum[10] = sum[10] + t_3_2 * y_2_2s;                // l=3 m=-2
-    sum[14] = sum[14] + t_3_2 * y_2_2c;                // l=3 m=2
+    sum[10] = sum[10] + t_3_2 * y_2_2s;                 // l=3 m=-2
+    sum[14] = sum[14] + t_3_2 * y_2_2c;                 // l=3 m=2
     float t_2_1 = k_2_1 * z;
     float y_1_0 = k_1_1 * z * weight;
-    sum[2] = sum[2] + y_1_0;                           // l=1 m=0
-    float p_3_1 = a_3_1 * z2 - b_3_1;
-    sum[12] = sum[12] + (a_3_0 * z2 - b_3_0) * y_1_0;  // l=3 m=0
-    sum[6] = sum[6] + (a_2_0 * z2 - b_2_0) * weight;   // l=2 m=0
-    sum[0] = sum[0] + k_0_0 * weight;                  // l=0 m=0
-    sum[5] = sum[5] + t_2_1 * y_1_1s;                  // l=2 m=-1
-    sum[7] = sum[7] + t_2_1 * y_1_1c;                  // l=2 m=1
-    sum[11] = sum[11] + p_3_1 * y_1_1s;                // l=3 m=-1
-    sum[13] = sum[13] + p_3_1 * y_1_1c;                // l=3 m=1
+    sum[2] = sum[2] + y_1_0;                            // l=1 m=0
+    sum[12] = sum[12] + (a_3_00 * u - b_3_00) * y_1_0;  // l=3 m=0
+    sum[6] = sum[6] + (a_2_00 * u + b_2_00) * weight;   // l=2 m=0
+    sum[0] = sum[0] + k_0_0 * weight;                   // l=0 m=0
+    sum[5] = sum[5] + t_2_1 * y_1_1s;                   // l=2 m=-1
+    sum[7] = sum[7] + t_2_1 * y_1_1c;                   // l=2 m=1
+    sum[11] = sum[11] + p_3_1 * y_1_1s;                 // l=3 m=-1
+    sum[13] = sum[13] + p_3_1 * y_1_1c;                 // l=3 m=1
 }

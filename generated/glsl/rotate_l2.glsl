@@ -10,13 +10,13 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         54 multiplications, 28 additions, 1 divisions, 1 square roots, 3 selections; longest chain 22; at most
-//               19 values live
+// Cost:         53 multiplications, 29 additions, 1 divisions, 1 square roots, 3 selections; longest chain 18; at most
+//               18 values live
 // Error:        eps counts units of machine epsilon x |c|
-//               float   rounding  largest seen 1.1e-06 (9.1 eps)
-//                       total     largest seen 9.7e-07 (8.2 eps)
-//               double  rounding  largest seen 1.9e-15 (8.6 eps)
-//                       total     largest seen 1.8e-15 (8.1 eps)
+//               float   rounding  largest seen 9.4e-07 (8.1 eps)
+//                       total     largest seen 9.7e-07 (8.3 eps)
+//               double  rounding  largest seen 1.8e-15 (8.6 eps)
+//                       total     largest seen 1.8e-15 (8.6 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
@@ -28,57 +28,57 @@ precision highp float;
 #endif
 
 void rotate_l2(float r[9], float c[9], out float result[9]) {
-    const float tiny   = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float one    = 1.0;            // 1
-    const float zero   = 0.0;            // 0
-    const float two    = 2.0;            // 2
-    const float half_2 = 0.5;            // 1/2
-    const float k      = 0.57735026;     // 1/3 sqrt(3)
-    const float k_2    = 1.5;            // 3/2
-    const float k_3    = 1.7320508;      // sqrt(3)
+    const float tiny = 1.9721523e-31;  // 1/5070602400912917605986812821504
+    const float root = 4.440892e-16;   // 1/2251799813685248
+    const float zero = 0.0;            // 0
+    const float one  = 1.0;            // 1
+    const float k    = 0.57735026;     // 1/3 sqrt(3)
+    const float k_2  = 1.5;            // 3/2
+    const float k_3  = 1.7320508;      // sqrt(3)
+    const float k_4  = 2.0;            // 2
 
     result[0] = c[0];                               // l=0 m=0
+    float c2 = c[2];
     float c1 = c[1];
     float c3 = c[3];
-    float c2 = c[2];
     result[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;  // l=1 m=-1
     result[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;  // l=1 m=0
     result[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;  // l=1 m=1
-    float sin2_b = r[2] * r[2] + r[5] * r[5];
-    float x = (sin2_b < tiny ? one : r[2]);
-    float y = (sin2_b < tiny ? zero : r[5]);
-    float inv2 = two / (sin2_b < tiny ? one : sin2_b);
-    float inv = sqrt(half_2 * inv2);
-    float t = y * inv2;
-    float cos_a = x * inv;
-    float sin_2a = t * x;
-    float sin_a = y * inv;
-    float cos_2a = one - t * y;
+    float sin2_b = r[6] * r[6] + r[7] * r[7];
+    float x = (sin2_b < tiny ? root : r[6]);
+    float y = (sin2_b < tiny ? zero : r[7]);
+    float inv_sq = one / (sin2_b < tiny ? tiny : sin2_b);
+    float inv = sqrt(inv_sq);
+    float t = y * (inv_sq + inv_sq);
+    float cos_ng = x * inv;
+    float sin_2ng = t * x;
+    float sin_ng = y * inv;
+    float cos_2ng = one - t * y;
     float sin_b = sin2_b * inv;
-    float cos_g = r[4] * cos_a - r[1] * sin_a;
-    float sin_g = r[3] * cos_a - r[0] * sin_a;
-    float t_2 = k_3 * sin_b * r[8];
-    float t_3 = cos_g + cos_g;
-    float cos_2g = t_3 * cos_g - one;
-    float t_4 = t_3 * sin_g;
+    float cos_a = r[4] * cos_ng - r[3] * sin_ng;
+    float sin_a = r[0] * sin_ng - r[1] * cos_ng;
+    float t_2 = cos_a + cos_a;
+    float cos_2a = t_2 * cos_a - one;
+    float t_3 = t_2 * sin_a;
+    float t_4 = k_3 * sin_b * r[8];
     float c7 = c[7];
     float c5 = c[5];
-    float v_2_1c = cos_g * c7 - sin_g * c5;
-    float v_2_1s = sin_g * c7 + cos_g * c5;
+    float v_2_1c = cos_ng * c7 + sin_ng * c5;
+    float v_2_1s = cos_ng * c5 - sin_ng * c7;
     float c8 = c[8];
     float c4 = c[4];
-    float v_2_2c = cos_2g * c8 - t_4 * c4;
-    float v_2_2s = t_4 * c8 + cos_2g * c4;
+    float v_2_2c = cos_2ng * c8 + sin_2ng * c4;
+    float v_2_2s = cos_2ng * c4 - sin_2ng * c8;
     float c6 = c[6];
     float t_5 = c6 - k * v_2_2c;
-    float p_2_2 = k_2 * sin2_b * t_5 + t_2 * v_2_1c;
-    float q_2_2 = t_2 * t_5 + (one - two * sin2_b) * v_2_1c;
+    float p_2_2 = k_2 * sin2_b * t_5 - t_4 * v_2_1c;
+    float q_2_2 = (one - k_4 * sin2_b) * v_2_1c - t_4 * t_5;
     result[6] = c6 - p_2_2;                         // l=2 m=0
     float t_6 = v_2_2c + k * p_2_2;
-    float p_2_1 = r[8] * v_2_2s + sin_b * v_2_1s;
-    float q_2_1 = r[8] * v_2_1s - sin_b * v_2_2s;
+    float p_2_1 = r[8] * v_2_2s - sin_b * v_2_1s;
+    float q_2_1 = sin_b * v_2_2s + r[8] * v_2_1s;
     result[7] = cos_a * q_2_2 - sin_a * q_2_1;      // l=2 m=1
     result[5] = sin_a * q_2_2 + cos_a * q_2_1;      // l=2 m=-1
-    result[8] = cos_2a * t_6 - sin_2a * p_2_1;      // l=2 m=2
-    result[4] = sin_2a * t_6 + cos_2a * p_2_1;      // l=2 m=-2
+    result[8] = cos_2a * t_6 - t_3 * p_2_1;         // l=2 m=2
+    result[4] = t_3 * t_6 + cos_2a * p_2_1;         // l=2 m=-2
 }

@@ -10,13 +10,13 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         202 multiplications, 116 additions, 1 divisions, 1 square roots, 3 selections; longest chain 24; at
+// Cost:         201 multiplications, 117 additions, 1 divisions, 1 square roots, 3 selections; longest chain 24; at
 //               most 49 values live
 // Error:        eps counts units of machine epsilon x |c|
-//               float   rounding  largest seen 1.2e-06 (10.6 eps)
-//                       total     largest seen 1.2e-06 (10.5 eps)
-//               double  rounding  largest seen 2.6e-15 (11.6 eps)
-//                       total     largest seen 2.5e-15 (11.1 eps)
+//               float   rounding  largest seen 1.4e-06 (12.4 eps)
+//                       total     largest seen 1.4e-06 (11.8 eps)
+//               double  rounding  largest seen 2.6e-15 (12.2 eps)
+//                       total     largest seen 2.7e-15 (12.4 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
@@ -28,134 +28,134 @@ precision highp float;
 #endif
 
 void rotate_l4(float r[9], float c[25], out float result[25]) {
-    const float tiny   = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float one    = 1.0;            // 1
-    const float zero   = 0.0;            // 0
-    const float two    = 2.0;            // 2
-    const float half_2 = 0.5;            // 1/2
-    const float k      = 0.57735026;     // 1/3 sqrt(3)
-    const float k_2    = 1.5;            // 3/2
-    const float k_3    = 1.7320508;      // sqrt(3)
-    const float k_4    = 0.2581989;      // 1/15 sqrt(15)
-    const float k_5    = 0.7745967;      // 1/5 sqrt(15)
-    const float k_6    = 0.9375;         // 15/16
-    const float k_7    = 0.76546556;     // 5/16 sqrt(6)
-    const float k_8    = 0.625;          // 5/8
-    const float k_9    = 1.25;           // 5/4
-    const float k_10   = 1.5811388;      // 1/2 sqrt(10)
-    const float k_11   = 0.8451542;      // 1/7 sqrt(35)
-    const float k_12   = 0.75592893;     // 2/7 sqrt(7)
-    const float k_13   = 0.8944272;      // 2/5 sqrt(5)
-    const float k_14   = 0.16903085;     // 1/35 sqrt(35)
-    const float k_15   = 0.37796447;     // 1/7 sqrt(7)
-    const float k_16   = 0.875;          // 7/8
-    const float k_17   = 1.2374369;      // 7/8 sqrt(2)
-    const float k_18   = 4.375;          // 35/8
-    const float k_19   = 2.766993;       // 7/8 sqrt(10)
-    const float k_20   = 7.0;            // 7
-    const float k_21   = 0.8819171;      // 1/3 sqrt(7)
-    const float k_22   = 0.70156074;     // 3/16 sqrt(14)
-    const float k_23   = 0.5625;         // 9/16
+    const float tiny = 1.9721523e-31;  // 1/5070602400912917605986812821504
+    const float root = 4.440892e-16;   // 1/2251799813685248
+    const float zero = 0.0;            // 0
+    const float one  = 1.0;            // 1
+    const float two  = 2.0;            // 2
+    const float k    = 0.57735026;     // 1/3 sqrt(3)
+    const float k_2  = 1.5;            // 3/2
+    const float k_3  = 1.7320508;      // sqrt(3)
+    const float k_4  = 0.2581989;      // 1/15 sqrt(15)
+    const float k_5  = 0.7745967;      // 1/5 sqrt(15)
+    const float k_6  = 0.9375;         // 15/16
+    const float k_7  = 0.76546556;     // 5/16 sqrt(6)
+    const float k_8  = 0.625;          // 5/8
+    const float k_9  = 1.25;           // 5/4
+    const float k_10 = 1.5811388;      // 1/2 sqrt(10)
+    const float k_11 = 0.8451542;      // 1/7 sqrt(35)
+    const float k_12 = 0.75592893;     // 2/7 sqrt(7)
+    const float k_13 = 0.8944272;      // 2/5 sqrt(5)
+    const float k_14 = 0.16903085;     // 1/35 sqrt(35)
+    const float k_15 = 0.37796447;     // 1/7 sqrt(7)
+    const float k_16 = 0.875;          // 7/8
+    const float k_17 = 1.2374369;      // 7/8 sqrt(2)
+    const float k_18 = 4.375;          // 35/8
+    const float k_19 = 2.766993;       // 7/8 sqrt(10)
+    const float k_20 = 7.0;            // 7
+    const float k_21 = 0.8819171;      // 1/3 sqrt(7)
+    const float k_22 = 0.70156074;     // 3/16 sqrt(14)
+    const float k_23 = 0.5625;         // 9/16
 
     result[0] = c[0];                               // l=0 m=0
+    float c2 = c[2];
     float c1 = c[1];
     float c3 = c[3];
-    float c2 = c[2];
     result[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;  // l=1 m=-1
     result[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;  // l=1 m=0
     result[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;  // l=1 m=1
-    float sin2_b = r[2] * r[2] + r[5] * r[5];
-    float x = (sin2_b < tiny ? one : r[2]);
-    float y = (sin2_b < tiny ? zero : r[5]);
-    float inv2 = two / (sin2_b < tiny ? one : sin2_b);
-    float inv = sqrt(half_2 * inv2);
-    float t = y * inv2;
-    float cos_a = x * inv;
-    float sin_2a = t * x;
+    float sin2_b = r[6] * r[6] + r[7] * r[7];
+    float x = (sin2_b < tiny ? root : r[6]);
+    float y = (sin2_b < tiny ? zero : r[7]);
+    float inv_sq = one / (sin2_b < tiny ? tiny : sin2_b);
+    float inv = sqrt(inv_sq);
+    float t = y * (inv_sq + inv_sq);
+    float cos_ng = x * inv;
+    float sin_2ng = t * x;
     float ty = t * y;
-    float sin_a = y * inv;
+    float sin_ng = y * inv;
     float sin_b = sin2_b * inv;
-    float cos_g = r[4] * cos_a - r[1] * sin_a;
-    float sin_g = r[3] * cos_a - r[0] * sin_a;
-    float cos_2a = one - ty;
-    float t_2 = cos_2a - ty;
-    float cos_3a = cos_a * t_2;
-    float sin_3a = sin_a * (t_2 + two);
-    float t_3 = cos_a + cos_a;
-    float cos_4a = t_3 * cos_3a - cos_2a;
-    float sin_4a = t_3 * sin_3a - sin_2a;
-    float t_4 = sin_b * r[8];
-    float t_5 = two * sin2_b;
-    float cos_2b = one - t_5;
-    float t_6 = cos_2b - t_5;
-    float cos_3b = r[8] * t_6;
-    float sin_3b = sin_b * (t_6 + two);
-    float t_7 = t_4 * t_4;
-    float t_8 = k_19 * t_4 * cos_2b;
-    float cos_2g = cos_g * cos_g - sin_g * sin_g;
-    float sin_2g = (sin_g + sin_g) * cos_g;
-    float t_9 = cos_g + cos_g;
-    float cos_3g = t_9 * cos_2g - cos_g;
-    float sin_3g = t_9 * sin_2g - sin_g;
-    float cos_4g = cos_2g * cos_2g - sin_2g * sin_2g;
-    float sin_4g = (sin_2g + sin_2g) * cos_2g;
+    float cos_a = r[4] * cos_ng - r[3] * sin_ng;
+    float sin_a = r[0] * sin_ng - r[1] * cos_ng;
+    float cos_2ng = one - ty;
+    float t_2 = cos_2ng - ty;
+    float cos_3ng = cos_ng * t_2;
+    float sin_3ng = sin_ng * (t_2 + two);
+    float t_3 = cos_ng + cos_ng;
+    float cos_4ng = t_3 * cos_3ng - cos_2ng;
+    float sin_4ng = t_3 * sin_3ng - sin_2ng;
+    float cos_2a = cos_a * cos_a - sin_a * sin_a;
+    float sin_2a = (sin_a + sin_a) * cos_a;
+    float t_4 = cos_a + cos_a;
+    float cos_3a = t_4 * cos_2a - cos_a;
+    float sin_3a = t_4 * sin_2a - sin_a;
+    float cos_4a = cos_2a * cos_2a - sin_2a * sin_2a;
+    float sin_4a = (sin_2a + sin_2a) * cos_2a;
+    float t_5 = sin_b * r[8];
+    float t_6 = two * sin2_b;
+    float cos_2b = one - t_6;
+    float t_7 = cos_2b - t_6;
+    float cos_3b = r[8] * t_7;
+    float sin_3b = sin_b * (t_7 + two);
+    float t_8 = t_5 * t_5;
+    float t_9 = k_19 * t_5 * cos_2b;
     float c7 = c[7];
     float c5 = c[5];
-    float v_2_1c = cos_g * c7 - sin_g * c5;
-    float v_2_1s = sin_g * c7 + cos_g * c5;
+    float v_2_1c = cos_ng * c7 + sin_ng * c5;
+    float v_2_1s = cos_ng * c5 - sin_ng * c7;
     float c8 = c[8];
     float c4 = c[4];
-    float v_2_2c = cos_2g * c8 - sin_2g * c4;
-    float v_2_2s = sin_2g * c8 + cos_2g * c4;
+    float v_2_2c = cos_2ng * c8 + sin_2ng * c4;
+    float v_2_2s = cos_2ng * c4 - sin_2ng * c8;
     float c6 = c[6];
     float t_10 = c6 - k * v_2_2c;
-    float t_11 = k_3 * t_4;
-    float p_2_2 = k_2 * sin2_b * t_10 + t_11 * v_2_1c;
+    float t_11 = k_3 * t_5;
+    float p_2_2 = k_2 * sin2_b * t_10 - t_11 * v_2_1c;
     result[6] = c6 - p_2_2;                         // l=2 m=0
-    float q_2_2 = t_11 * t_10 + cos_2b * v_2_1c;
+    float q_2_2 = cos_2b * v_2_1c - t_11 * t_10;
     float t_12 = v_2_2c + k * p_2_2;
-    float p_2_1 = r[8] * v_2_2s + sin_b * v_2_1s;
-    float q_2_1 = r[8] * v_2_1s - sin_b * v_2_2s;
+    float p_2_1 = r[8] * v_2_2s - sin_b * v_2_1s;
+    float q_2_1 = sin_b * v_2_2s + r[8] * v_2_1s;
     result[7] = cos_a * q_2_2 - sin_a * q_2_1;      // l=2 m=1
     result[5] = sin_a * q_2_2 + cos_a * q_2_1;      // l=2 m=-1
     result[8] = cos_2a * t_12 - sin_2a * p_2_1;     // l=2 m=2
     result[4] = sin_2a * t_12 + cos_2a * p_2_1;     // l=2 m=-2
     float c13 = c[13];
     float c11 = c[11];
-    float v_3_1c = cos_g * c13 - sin_g * c11;
-    float v_3_1s = sin_g * c13 + cos_g * c11;
+    float v_3_1c = cos_ng * c13 + sin_ng * c11;
+    float v_3_1s = cos_ng * c11 - sin_ng * c13;
     float c14 = c[14];
     float c10 = c[10];
-    float v_3_2c = cos_2g * c14 - sin_2g * c10;
-    float v_3_2s = sin_2g * c14 + cos_2g * c10;
+    float v_3_2c = cos_2ng * c14 + sin_2ng * c10;
+    float v_3_2s = cos_2ng * c10 - sin_2ng * c14;
     float c15 = c[15];
     float c9 = c[9];
-    float v_3_3c = cos_3g * c15 - sin_3g * c9;
-    float v_3_3s = sin_3g * c15 + cos_3g * c9;
+    float v_3_3c = cos_3ng * c15 + sin_3ng * c9;
+    float v_3_3s = cos_3ng * c9 - sin_3ng * c15;
     float t_13 = k_4 * v_3_1c + v_3_3c;
     float t_14 = v_3_1c - k_4 * v_3_3c;
     float c12 = c[12];
     float t_15 = k_5 * c12 + v_3_2c;
     float t_16 = c12 - k_5 * v_3_2c;
     float t_17 = k_7 * sin_b;
-    float p_3_1 = k_6 * r[8] * t_13 + t_17 * t_15;
+    float p_3_1 = k_6 * r[8] * t_13 - t_17 * t_15;
     float t_18 = k_22 * sin_b;
-    float q_3_1 = k_8 * r[8] * t_15 - t_17 * t_13;
+    float q_3_1 = t_17 * t_13 + k_8 * r[8] * t_15;
     float t_19 = k_7 * sin_3b;
-    float p_3_3 = k_6 * cos_3b * t_14 + t_19 * t_16;
+    float p_3_3 = k_6 * cos_3b * t_14 - t_19 * t_16;
     float t_20 = k_22 * sin_3b;
-    float q_3_3 = k_8 * cos_3b * t_16 - t_19 * t_14;
+    float q_3_3 = t_19 * t_14 + k_8 * cos_3b * t_16;
     float t_21 = k_4 * p_3_1 + p_3_3;
     float t_22 = p_3_1 - k_4 * p_3_3;
     result[12] = k_5 * q_3_1 + q_3_3;               // l=3 m=0
     float t_23 = q_3_1 - k_5 * q_3_3;
     float t_24 = v_3_1s - k_5 * v_3_3s;
-    float t_25 = k_10 * t_4;
-    float p_3_2 = k_9 * sin2_b * t_24 + t_25 * v_3_2s;
-    float q_3_2 = t_25 * t_24 + cos_2b * v_3_2s;
+    float t_25 = k_10 * t_5;
+    float p_3_2 = k_9 * sin2_b * t_24 - t_25 * v_3_2s;
+    float q_3_2 = cos_2b * v_3_2s - t_25 * t_24;
     float t_26 = v_3_1s - p_3_2;
     float t_27 = v_3_3s + k_5 * p_3_2;
-    float t_28 = k_17 * t_4;
+    float t_28 = k_17 * t_5;
     result[13] = cos_a * t_21 - sin_a * t_26;       // l=3 m=1
     result[11] = sin_a * t_21 + cos_a * t_26;       // l=3 m=-1
     result[14] = cos_2a * t_23 - sin_2a * q_3_2;    // l=3 m=2
@@ -164,29 +164,29 @@ void rotate_l4(float r[9], float c[25], out float result[25]) {
     result[9] = sin_3a * t_22 + cos_3a * t_27;      // l=3 m=-3
     float c21 = c[21];
     float c19 = c[19];
-    float v_4_1c = cos_g * c21 - sin_g * c19;
-    float v_4_1s = sin_g * c21 + cos_g * c19;
+    float v_4_1c = cos_ng * c21 + sin_ng * c19;
+    float v_4_1s = cos_ng * c19 - sin_ng * c21;
     float c22 = c[22];
     float c18 = c[18];
-    float v_4_2c = cos_2g * c22 - sin_2g * c18;
-    float v_4_2s = sin_2g * c22 + cos_2g * c18;
+    float v_4_2c = cos_2ng * c22 + sin_2ng * c18;
+    float v_4_2s = cos_2ng * c18 - sin_2ng * c22;
     float c23 = c[23];
     float c17 = c[17];
-    float v_4_3c = cos_3g * c23 - sin_3g * c17;
-    float v_4_3s = sin_3g * c23 + cos_3g * c17;
+    float v_4_3c = cos_3ng * c23 + sin_3ng * c17;
+    float v_4_3s = cos_3ng * c17 - sin_3ng * c23;
     float c24 = c[24];
     float c16 = c[16];
-    float v_4_4c = cos_4g * c24 - sin_4g * c16;
-    float v_4_4s = sin_4g * c24 + cos_4g * c16;
+    float v_4_4c = cos_4ng * c24 + sin_4ng * c16;
+    float v_4_4s = cos_4ng * c16 - sin_4ng * c24;
     float c20 = c[20];
     float t_29 = v_4_4c - k_11 * c20 - k_12 * v_4_2c;
     float t_30 = c20 - k_13 * v_4_2c + k_14 * v_4_4c;
     float t_31 = k_15 * v_4_1c + v_4_3c;
     float t_32 = v_4_1c - k_15 * v_4_3c;
-    float p_4_2 = k_16 * sin2_b * t_29 - t_28 * t_31;
-    float q_4_2 = k_16 * cos_2b * t_31 - t_28 * t_29;
-    float p_4_4 = k_18 * t_7 * t_30 + t_8 * t_32;
-    float q_4_4 = t_8 * t_30 + (k_16 - k_20 * t_7) * t_32;
+    float p_4_2 = k_16 * sin2_b * t_29 + t_28 * t_31;
+    float q_4_2 = t_28 * t_29 + k_16 * cos_2b * t_31;
+    float p_4_4 = k_18 * t_8 * t_30 - t_9 * t_32;
+    float q_4_4 = (k_16 - k_20 * t_8) * t_32 - t_9 * t_30;
     result[20] = c20 - (p_4_4 - k_11 * p_4_2);      // l=4 m=0
     float t_33 = v_4_2c + (k_12 * p_4_2 + k_13 * p_4_4);
     float t_34 = v_4_4c - (p_4_2 + k_14 * p_4_4);
@@ -196,10 +196,10 @@ void rotate_l4(float r[9], float c[25], out float result[25]) {
     float t_38 = v_4_2s - k_15 * v_4_4s;
     float t_39 = v_4_1s + k_21 * v_4_3s;
     float t_40 = v_4_3s - k_21 * v_4_1s;
-    float p_4_1 = k_16 * r[8] * t_37 + t_18 * t_39;
-    float q_4_1 = k_23 * r[8] * t_39 - t_18 * t_37;
-    float p_4_3 = k_16 * cos_3b * t_38 - t_20 * t_40;
-    float q_4_3 = t_20 * t_38 + k_23 * cos_3b * t_40;
+    float p_4_1 = k_16 * r[8] * t_37 - t_18 * t_39;
+    float q_4_1 = t_18 * t_37 + k_23 * r[8] * t_39;
+    float p_4_3 = k_16 * cos_3b * t_38 + t_20 * t_40;
+    float q_4_3 = k_23 * cos_3b * t_40 - t_20 * t_38;
     float t_41 = k_15 * p_4_1 + p_4_3;
     float t_42 = p_4_1 - k_15 * p_4_3;
     float t_43 = q_4_1 - k_21 * q_4_3;

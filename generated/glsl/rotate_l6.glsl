@@ -10,13 +10,13 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         458 multiplications, 285 additions, 1 divisions, 1 square roots, 3 selections; longest chain 30; at
+// Cost:         457 multiplications, 286 additions, 1 divisions, 1 square roots, 3 selections; longest chain 30; at
 //               most 86 values live
 // Error:        eps counts units of machine epsilon x |c|
-//               float   rounding  largest seen 2.2e-06 (19.6 eps)
-//                       total     largest seen 2.2e-06 (19.5 eps)
-//               double  rounding  largest seen 6.0e-15 (27.6 eps)
-//                       total     largest seen 6.2e-15 (28.5 eps)
+//               float   rounding  largest seen 3.2e-06 (27.2 eps)
+//                       total     largest seen 3.3e-06 (27.7 eps)
+//               double  rounding  largest seen 3.9e-15 (19.2 eps)
+//                       total     largest seen 4.2e-15 (20.5 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
@@ -28,201 +28,201 @@ precision highp float;
 #endif
 
 void rotate_l6(float r[9], float c[49], out float result[49]) {
-    const float tiny   = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float one    = 1.0;            // 1
-    const float zero   = 0.0;            // 0
-    const float two    = 2.0;            // 2
-    const float half_2 = 0.5;            // 1/2
-    const float k      = 8.0;            // 8
-    const float k_2    = 0.57735026;     // 1/3 sqrt(3)
-    const float k_3    = 1.5;            // 3/2
-    const float k_4    = 1.7320508;      // sqrt(3)
-    const float k_5    = 0.2581989;      // 1/15 sqrt(15)
-    const float k_6    = 0.7745967;      // 1/5 sqrt(15)
-    const float k_7    = 0.9375;         // 15/16
-    const float k_8    = 0.76546556;     // 5/16 sqrt(6)
-    const float k_9    = 0.625;          // 5/8
-    const float k_10   = 1.25;           // 5/4
-    const float k_11   = 1.5811388;      // 1/2 sqrt(10)
-    const float k_12   = 0.8451542;      // 1/7 sqrt(35)
-    const float k_13   = 0.75592893;     // 2/7 sqrt(7)
-    const float k_14   = 0.8944272;      // 2/5 sqrt(5)
-    const float k_15   = 0.16903085;     // 1/35 sqrt(35)
-    const float k_16   = 0.37796447;     // 1/7 sqrt(7)
-    const float k_17   = 0.875;          // 7/8
-    const float k_18   = 1.2374369;      // 7/8 sqrt(2)
-    const float k_19   = 4.375;          // 35/8
-    const float k_20   = 2.766993;       // 7/8 sqrt(10)
-    const float k_21   = 1.1338934;      // 3/7 sqrt(7)
-    const float k_22   = 0.8819171;      // 1/3 sqrt(7)
-    const float k_23   = 0.61871845;     // 7/16 sqrt(2)
-    const float k_24   = 0.4375;         // 7/16
-    const float k_25   = 0.70156074;     // 3/16 sqrt(14)
-    const float k_26   = 0.5625;         // 9/16
-    const float k_27   = 0.9660918;      // 1/15 sqrt(210)
-    const float k_28   = 0.4472136;      // 1/5 sqrt(5)
-    const float k_29   = 0.90571105;     // 1/16 sqrt(210)
-    const float k_30   = 0.41926274;     // 3/16 sqrt(5)
-    const float k_31   = 0.7319251;      // 1/14 sqrt(105)
-    const float k_32   = 0.8660254;      // 1/2 sqrt(3)
-    const float k_33   = 0.6573422;      // 1/9 sqrt(35)
-    const float k_34   = 0.38490018;     // 2/9 sqrt(3)
-    const float k_35   = 0.97590005;     // 2/21 sqrt(105)
-    const float k_36   = 0.28171808;     // 1/21 sqrt(35)
-    const float k_37   = 0.6614378;      // 1/4 sqrt(7)
-    const float k_38   = 0.79549515;     // 9/16 sqrt(2)
-    const float k_39   = 0.6328125;      // 81/128
-    const float k_40   = 0.4921875;      // 63/128
-    const float k_41   = 0.46291006;     // 1/14 sqrt(42)
-    const float k_42   = 1.0350983;      // 1/14 sqrt(210)
-    const float k_43   = 0.7200823;      // 1/9 sqrt(42)
-    const float k_44   = 0.248452;       // 1/9 sqrt(5)
-    const float k_45   = 1.145644;       // 1/4 sqrt(21)
-    const float k_46   = 0.75;           // 3/4
-    const float k_47   = 5.0625;         // 81/16
-    const float k_48   = 2.755676;       // 9/8 sqrt(6)
-    const float k_49   = 0.65133893;     // 1/33 sqrt(462)
-    const float k_50   = 0.76409316;     // 17/165 sqrt(55)
-    const float k_51   = 0.24618298;     // 1/33 sqrt(66)
-    const float k_52   = 0.610558;       // 3/13 sqrt(7)
-    const float k_53   = 0.21066253;     // 1/26 sqrt(30)
-    const float k_54   = 0.31246302;     // 1/26 sqrt(66)
-    const float k_55   = 0.36514837;     // 1/15 sqrt(30)
-    const float k_56   = 0.04494666;     // 1/165 sqrt(55)
-    const float k_57   = 0.700649;       // 3/55 sqrt(165)
-    const float k_58   = 0.6324555;      // 1/5 sqrt(10)
-    const float k_59   = 0.8563488;      // 1/15 sqrt(165)
-    const float k_60   = 0.52704626;     // 1/6 sqrt(10)
-    const float k_61   = 0.12309149;     // 1/66 sqrt(66)
-    const float k_62   = 0.9667969;      // 495/512
-    const float k_63   = 1.1163609;      // 165/256 sqrt(3)
-    const float k_64   = 0.64453125;     // 165/256
-    const float k_65   = 5.28125;        // 169/32
-    const float k_66   = 2.225123;       // 13/32 sqrt(30)
-    const float k_67   = 0.46875;        // 15/32
-    const float k_68   = 1.2229121;      // 99/256 sqrt(10)
-    const float k_69   = 0.7734375;      // 99/128
-    const float k_70   = 1.546875;       // 99/64
-    const float k_71   = 0.2247333;      // 1/33 sqrt(55)
-    const float k_72   = 0.49236596;     // 2/33 sqrt(66)
-    const float k_73   = 0.8215838;      // 3/20 sqrt(30)
-    const float k_74   = 0.6770032;      // 1/12 sqrt(66)
-    const float k_75   = 0.73029673;     // 2/15 sqrt(30)
-    const float k_76   = 0.13483997;     // 1/55 sqrt(55)
-    const float k_77   = 0.59292704;     // 3/16 sqrt(10)
-    const float k_78   = 0.80282706;     // 1/16 sqrt(165)
-    const float k_79   = 0.87945294;     // 3/16 sqrt(22)
-    const float k_80   = 0.6846532;      // 1/8 sqrt(30)
+    const float tiny = 1.9721523e-31;  // 1/5070602400912917605986812821504
+    const float root = 4.440892e-16;   // 1/2251799813685248
+    const float zero = 0.0;            // 0
+    const float one  = 1.0;            // 1
+    const float two  = 2.0;            // 2
+    const float k    = 8.0;            // 8
+    const float k_2  = 0.57735026;     // 1/3 sqrt(3)
+    const float k_3  = 1.5;            // 3/2
+    const float k_4  = 1.7320508;      // sqrt(3)
+    const float k_5  = 0.2581989;      // 1/15 sqrt(15)
+    const float k_6  = 0.7745967;      // 1/5 sqrt(15)
+    const float k_7  = 0.9375;         // 15/16
+    const float k_8  = 0.76546556;     // 5/16 sqrt(6)
+    const float k_9  = 0.625;          // 5/8
+    const float k_10 = 1.25;           // 5/4
+    const float k_11 = 1.5811388;      // 1/2 sqrt(10)
+    const float k_12 = 0.8451542;      // 1/7 sqrt(35)
+    const float k_13 = 0.75592893;     // 2/7 sqrt(7)
+    const float k_14 = 0.8944272;      // 2/5 sqrt(5)
+    const float k_15 = 0.16903085;     // 1/35 sqrt(35)
+    const float k_16 = 0.37796447;     // 1/7 sqrt(7)
+    const float k_17 = 0.875;          // 7/8
+    const float k_18 = 1.2374369;      // 7/8 sqrt(2)
+    const float k_19 = 4.375;          // 35/8
+    const float k_20 = 2.766993;       // 7/8 sqrt(10)
+    const float k_21 = 1.1338934;      // 3/7 sqrt(7)
+    const float k_22 = 0.8819171;      // 1/3 sqrt(7)
+    const float k_23 = 0.61871845;     // 7/16 sqrt(2)
+    const float k_24 = 0.4375;         // 7/16
+    const float k_25 = 0.70156074;     // 3/16 sqrt(14)
+    const float k_26 = 0.5625;         // 9/16
+    const float k_27 = 0.9660918;      // 1/15 sqrt(210)
+    const float k_28 = 0.4472136;      // 1/5 sqrt(5)
+    const float k_29 = 0.90571105;     // 1/16 sqrt(210)
+    const float k_30 = 0.41926274;     // 3/16 sqrt(5)
+    const float k_31 = 0.7319251;      // 1/14 sqrt(105)
+    const float k_32 = 0.8660254;      // 1/2 sqrt(3)
+    const float k_33 = 0.6573422;      // 1/9 sqrt(35)
+    const float k_34 = 0.38490018;     // 2/9 sqrt(3)
+    const float k_35 = 0.97590005;     // 2/21 sqrt(105)
+    const float k_36 = 0.28171808;     // 1/21 sqrt(35)
+    const float k_37 = 0.6614378;      // 1/4 sqrt(7)
+    const float k_38 = 0.79549515;     // 9/16 sqrt(2)
+    const float k_39 = 0.6328125;      // 81/128
+    const float k_40 = 0.4921875;      // 63/128
+    const float k_41 = 0.46291006;     // 1/14 sqrt(42)
+    const float k_42 = 1.0350983;      // 1/14 sqrt(210)
+    const float k_43 = 0.7200823;      // 1/9 sqrt(42)
+    const float k_44 = 0.248452;       // 1/9 sqrt(5)
+    const float k_45 = 1.145644;       // 1/4 sqrt(21)
+    const float k_46 = 0.75;           // 3/4
+    const float k_47 = 5.0625;         // 81/16
+    const float k_48 = 2.755676;       // 9/8 sqrt(6)
+    const float k_49 = 0.65133893;     // 1/33 sqrt(462)
+    const float k_50 = 0.76409316;     // 17/165 sqrt(55)
+    const float k_51 = 0.24618298;     // 1/33 sqrt(66)
+    const float k_52 = 0.610558;       // 3/13 sqrt(7)
+    const float k_53 = 0.21066253;     // 1/26 sqrt(30)
+    const float k_54 = 0.31246302;     // 1/26 sqrt(66)
+    const float k_55 = 0.36514837;     // 1/15 sqrt(30)
+    const float k_56 = 0.04494666;     // 1/165 sqrt(55)
+    const float k_57 = 0.700649;       // 3/55 sqrt(165)
+    const float k_58 = 0.6324555;      // 1/5 sqrt(10)
+    const float k_59 = 0.8563488;      // 1/15 sqrt(165)
+    const float k_60 = 0.52704626;     // 1/6 sqrt(10)
+    const float k_61 = 0.12309149;     // 1/66 sqrt(66)
+    const float k_62 = 0.9667969;      // 495/512
+    const float k_63 = 1.1163609;      // 165/256 sqrt(3)
+    const float k_64 = 0.64453125;     // 165/256
+    const float k_65 = 5.28125;        // 169/32
+    const float k_66 = 2.225123;       // 13/32 sqrt(30)
+    const float k_67 = 0.46875;        // 15/32
+    const float k_68 = 1.2229121;      // 99/256 sqrt(10)
+    const float k_69 = 0.7734375;      // 99/128
+    const float k_70 = 1.546875;       // 99/64
+    const float k_71 = 0.2247333;      // 1/33 sqrt(55)
+    const float k_72 = 0.49236596;     // 2/33 sqrt(66)
+    const float k_73 = 0.8215838;      // 3/20 sqrt(30)
+    const float k_74 = 0.6770032;      // 1/12 sqrt(66)
+    const float k_75 = 0.73029673;     // 2/15 sqrt(30)
+    const float k_76 = 0.13483997;     // 1/55 sqrt(55)
+    const float k_77 = 0.59292704;     // 3/16 sqrt(10)
+    const float k_78 = 0.80282706;     // 1/16 sqrt(165)
+    const float k_79 = 0.87945294;     // 3/16 sqrt(22)
+    const float k_80 = 0.6846532;      // 1/8 sqrt(30)
 
     result[0] = c[0];                                                 // l=0 m=0
+    float c2 = c[2];
     float c1 = c[1];
     float c3 = c[3];
-    float c2 = c[2];
     result[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;                    // l=1 m=-1
     result[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;                    // l=1 m=0
     result[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;                    // l=1 m=1
-    float sin2_b = r[2] * r[2] + r[5] * r[5];
-    float x = (sin2_b < tiny ? one : r[2]);
-    float y = (sin2_b < tiny ? zero : r[5]);
-    float inv2 = two / (sin2_b < tiny ? one : sin2_b);
-    float inv = sqrt(half_2 * inv2);
-    float t = y * inv2;
-    float cos_a = x * inv;
-    float sin_2a = t * x;
+    float sin2_b = r[6] * r[6] + r[7] * r[7];
+    float x = (sin2_b < tiny ? root : r[6]);
+    float y = (sin2_b < tiny ? zero : r[7]);
+    float inv_sq = one / (sin2_b < tiny ? tiny : sin2_b);
+    float inv = sqrt(inv_sq);
+    float t = y * (inv_sq + inv_sq);
+    float cos_ng = x * inv;
+    float sin_2ng = t * x;
     float ty = t * y;
-    float sin_a = y * inv;
+    float sin_ng = y * inv;
     float sin_b = sin2_b * inv;
-    float cos_g = r[4] * cos_a - r[1] * sin_a;
-    float sin_g = r[3] * cos_a - r[0] * sin_a;
-    float cos_2a = one - ty;
-    float t_2 = cos_2a - ty;
-    float cos_3a = cos_a * t_2;
-    float sin_3a = sin_a * (t_2 + two);
-    float t_3 = cos_a + cos_a;
-    float cos_4a = t_3 * cos_3a - cos_2a;
-    float sin_4a = t_3 * sin_3a - sin_2a;
-    float cos_5a = t_3 * cos_4a - cos_3a;
-    float sin_5a = t_3 * sin_4a - sin_3a;
-    float cos_6a = t_3 * cos_5a - cos_4a;
-    float sin_6a = t_3 * sin_5a - sin_4a;
-    float t_4 = sin_b * r[8];
-    float t_5 = two * sin2_b;
-    float cos_2b = one - t_5;
-    float t_6 = cos_2b - t_5;
-    float t_7 = t_6 + two;
-    float cos_3b = r[8] * t_6;
-    float sin_3b = sin_b * t_7;
-    float t_8 = t_4 * t_4;
-    float t_9 = t_4 * cos_2b;
-    float cos_4b = one - k * t_8;
-    float t_10 = cos_4b + cos_4b;
-    float cos_5b = r[8] * (t_10 - t_6);
-    float sin_5b = sin_b * (t_10 + t_7);
-    float t_11 = sin_3b * sin_3b;
-    float t_12 = k_68 * sin_3b * cos_3b;
-    float cos_2g = cos_g * cos_g - sin_g * sin_g;
-    float sin_2g = (sin_g + sin_g) * cos_g;
-    float t_13 = cos_g + cos_g;
-    float cos_3g = t_13 * cos_2g - cos_g;
-    float sin_3g = t_13 * sin_2g - sin_g;
-    float cos_4g = cos_2g * cos_2g - sin_2g * sin_2g;
-    float sin_4g = (sin_2g + sin_2g) * cos_2g;
-    float cos_5g = t_13 * cos_4g - cos_3g;
-    float sin_5g = t_13 * sin_4g - sin_3g;
-    float cos_6g = t_13 * cos_5g - cos_4g;
-    float sin_6g = t_13 * sin_5g - sin_4g;
+    float cos_a = r[4] * cos_ng - r[3] * sin_ng;
+    float sin_a = r[0] * sin_ng - r[1] * cos_ng;
+    float cos_2ng = one - ty;
+    float t_2 = cos_2ng - ty;
+    float cos_3ng = cos_ng * t_2;
+    float sin_3ng = sin_ng * (t_2 + two);
+    float t_3 = cos_ng + cos_ng;
+    float cos_4ng = t_3 * cos_3ng - cos_2ng;
+    float sin_4ng = t_3 * sin_3ng - sin_2ng;
+    float cos_5ng = t_3 * cos_4ng - cos_3ng;
+    float sin_5ng = t_3 * sin_4ng - sin_3ng;
+    float cos_6ng = t_3 * cos_5ng - cos_4ng;
+    float sin_6ng = t_3 * sin_5ng - sin_4ng;
+    float cos_2a = cos_a * cos_a - sin_a * sin_a;
+    float sin_2a = (sin_a + sin_a) * cos_a;
+    float t_4 = cos_a + cos_a;
+    float cos_3a = t_4 * cos_2a - cos_a;
+    float sin_3a = t_4 * sin_2a - sin_a;
+    float cos_4a = cos_2a * cos_2a - sin_2a * sin_2a;
+    float sin_4a = (sin_2a + sin_2a) * cos_2a;
+    float cos_5a = t_4 * cos_4a - cos_3a;
+    float sin_5a = t_4 * sin_4a - sin_3a;
+    float cos_6a = t_4 * cos_5a - cos_4a;
+    float sin_6a = t_4 * sin_5a - sin_4a;
+    float t_5 = sin_b * r[8];
+    float t_6 = two * sin2_b;
+    float cos_2b = one - t_6;
+    float t_7 = cos_2b - t_6;
+    float t_8 = t_7 + two;
+    float cos_3b = r[8] * t_7;
+    float sin_3b = sin_b * t_8;
+    float t_9 = t_5 * t_5;
+    float t_10 = t_5 * cos_2b;
+    float cos_4b = one - k * t_9;
+    float t_11 = cos_4b + cos_4b;
+    float cos_5b = r[8] * (t_11 - t_7);
+    float sin_5b = sin_b * (t_11 + t_8);
+    float t_12 = sin_3b * sin_3b;
+    float t_13 = k_68 * sin_3b * cos_3b;
     float c7 = c[7];
     float c5 = c[5];
-    float v_2_1c = cos_g * c7 - sin_g * c5;
-    float v_2_1s = sin_g * c7 + cos_g * c5;
+    float v_2_1c = cos_ng * c7 + sin_ng * c5;
+    float v_2_1s = cos_ng * c5 - sin_ng * c7;
     float c8 = c[8];
     float c4 = c[4];
-    float v_2_2c = cos_2g * c8 - sin_2g * c4;
-    float v_2_2s = sin_2g * c8 + cos_2g * c4;
+    float v_2_2c = cos_2ng * c8 + sin_2ng * c4;
+    float v_2_2s = cos_2ng * c4 - sin_2ng * c8;
     float c6 = c[6];
     float t_14 = c6 - k_2 * v_2_2c;
-    float t_15 = k_4 * t_4;
-    float p_2_2 = k_3 * sin2_b * t_14 + t_15 * v_2_1c;
+    float t_15 = k_4 * t_5;
+    float p_2_2 = k_3 * sin2_b * t_14 - t_15 * v_2_1c;
     result[6] = c6 - p_2_2;                                           // l=2 m=0
-    float q_2_2 = t_15 * t_14 + cos_2b * v_2_1c;
+    float q_2_2 = cos_2b * v_2_1c - t_15 * t_14;
     float t_16 = v_2_2c + k_2 * p_2_2;
-    float p_2_1 = r[8] * v_2_2s + sin_b * v_2_1s;
-    float q_2_1 = r[8] * v_2_1s - sin_b * v_2_2s;
+    float p_2_1 = r[8] * v_2_2s - sin_b * v_2_1s;
+    float q_2_1 = sin_b * v_2_2s + r[8] * v_2_1s;
     result[7] = cos_a * q_2_2 - sin_a * q_2_1;                        // l=2 m=1
     result[5] = sin_a * q_2_2 + cos_a * q_2_1;                        // l=2 m=-1
     result[8] = cos_2a * t_16 - sin_2a * p_2_1;                       // l=2 m=2
     result[4] = sin_2a * t_16 + cos_2a * p_2_1;                       // l=2 m=-2
     float c13 = c[13];
     float c11 = c[11];
-    float v_3_1c = cos_g * c13 - sin_g * c11;
-    float v_3_1s = sin_g * c13 + cos_g * c11;
+    float v_3_1c = cos_ng * c13 + sin_ng * c11;
+    float v_3_1s = cos_ng * c11 - sin_ng * c13;
     float c14 = c[14];
     float c10 = c[10];
-    float v_3_2c = cos_2g * c14 - sin_2g * c10;
-    float v_3_2s = sin_2g * c14 + cos_2g * c10;
+    float v_3_2c = cos_2ng * c14 + sin_2ng * c10;
+    float v_3_2s = cos_2ng * c10 - sin_2ng * c14;
     float c15 = c[15];
     float c9 = c[9];
-    float v_3_3c = cos_3g * c15 - sin_3g * c9;
-    float v_3_3s = sin_3g * c15 + cos_3g * c9;
+    float v_3_3c = cos_3ng * c15 + sin_3ng * c9;
+    float v_3_3s = cos_3ng * c9 - sin_3ng * c15;
     float t_17 = k_5 * v_3_1c + v_3_3c;
     float t_18 = v_3_1c - k_5 * v_3_3c;
     float c12 = c[12];
     float t_19 = k_6 * c12 + v_3_2c;
     float t_20 = c12 - k_6 * v_3_2c;
     float t_21 = k_8 * sin_b;
-    float p_3_1 = k_7 * r[8] * t_17 + t_21 * t_19;
-    float q_3_1 = k_9 * r[8] * t_19 - t_21 * t_17;
+    float p_3_1 = k_7 * r[8] * t_17 - t_21 * t_19;
+    float q_3_1 = t_21 * t_17 + k_9 * r[8] * t_19;
     float t_22 = k_8 * sin_3b;
-    float p_3_3 = k_7 * cos_3b * t_18 + t_22 * t_20;
-    float q_3_3 = k_9 * cos_3b * t_20 - t_22 * t_18;
+    float p_3_3 = k_7 * cos_3b * t_18 - t_22 * t_20;
+    float q_3_3 = t_22 * t_18 + k_9 * cos_3b * t_20;
     float t_23 = k_5 * p_3_1 + p_3_3;
     float t_24 = p_3_1 - k_5 * p_3_3;
     result[12] = k_6 * q_3_1 + q_3_3;                                 // l=3 m=0
     float t_25 = q_3_1 - k_6 * q_3_3;
     float t_26 = v_3_1s - k_6 * v_3_3s;
-    float t_27 = k_11 * t_4;
-    float p_3_2 = k_10 * sin2_b * t_26 + t_27 * v_3_2s;
-    float q_3_2 = t_27 * t_26 + cos_2b * v_3_2s;
+    float t_27 = k_11 * t_5;
+    float p_3_2 = k_10 * sin2_b * t_26 - t_27 * v_3_2s;
+    float q_3_2 = cos_2b * v_3_2s - t_27 * t_26;
     float t_28 = v_3_1s - p_3_2;
     float t_29 = v_3_3s + k_6 * p_3_2;
     result[13] = cos_a * t_23 - sin_a * t_28;                         // l=3 m=1
@@ -233,32 +233,32 @@ void rotate_l6(float r[9], float c[49], out float result[49]) {
     result[9] = sin_3a * t_24 + cos_3a * t_29;                        // l=3 m=-3
     float c21 = c[21];
     float c19 = c[19];
-    float v_4_1c = cos_g * c21 - sin_g * c19;
-    float v_4_1s = sin_g * c21 + cos_g * c19;
+    float v_4_1c = cos_ng * c21 + sin_ng * c19;
+    float v_4_1s = cos_ng * c19 - sin_ng * c21;
     float c22 = c[22];
     float c18 = c[18];
-    float v_4_2c = cos_2g * c22 - sin_2g * c18;
-    float v_4_2s = sin_2g * c22 + cos_2g * c18;
+    float v_4_2c = cos_2ng * c22 + sin_2ng * c18;
+    float v_4_2s = cos_2ng * c18 - sin_2ng * c22;
     float c23 = c[23];
     float c17 = c[17];
-    float v_4_3c = cos_3g * c23 - sin_3g * c17;
-    float v_4_3s = sin_3g * c23 + cos_3g * c17;
+    float v_4_3c = cos_3ng * c23 + sin_3ng * c17;
+    float v_4_3s = cos_3ng * c17 - sin_3ng * c23;
     float c24 = c[24];
     float c16 = c[16];
-    float v_4_4c = cos_4g * c24 - sin_4g * c16;
-    float v_4_4s = sin_4g * c24 + cos_4g * c16;
+    float v_4_4c = cos_4ng * c24 + sin_4ng * c16;
+    float v_4_4s = cos_4ng * c16 - sin_4ng * c24;
     float c20 = c[20];
     float t_30 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
     float t_31 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
     float t_32 = k_16 * v_4_1c + v_4_3c;
     float t_33 = v_4_1c - k_16 * v_4_3c;
     float t_34 = k_17 * sin2_b;
-    float t_35 = k_18 * t_4;
-    float q_4_2 = k_17 * cos_2b * t_32 - t_35 * t_30;
-    float p_4_2 = t_34 * t_30 - t_35 * t_32;
-    float t_36 = k_20 * t_9;
-    float p_4_4 = k_19 * t_8 * t_31 + t_36 * t_33;
-    float q_4_4 = t_36 * t_31 + k_17 * cos_4b * t_33;
+    float t_35 = k_18 * t_5;
+    float q_4_2 = t_35 * t_30 + k_17 * cos_2b * t_32;
+    float p_4_2 = t_34 * t_30 + t_35 * t_32;
+    float t_36 = k_20 * t_10;
+    float p_4_4 = k_19 * t_9 * t_31 - t_36 * t_33;
+    float q_4_4 = k_17 * cos_4b * t_33 - t_36 * t_31;
     result[20] = c20 - (p_4_4 - k_12 * p_4_2);                        // l=4 m=0
     float t_37 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
     float t_38 = v_4_4c - (p_4_2 + k_15 * p_4_4);
@@ -269,12 +269,12 @@ void rotate_l6(float r[9], float c[49], out float result[49]) {
     float t_43 = k_21 * v_4_1s + v_4_3s;
     float t_44 = v_4_3s - k_22 * v_4_1s;
     float t_45 = k_23 * sin_b;
-    float p_4_1 = k_17 * r[8] * t_41 + t_45 * t_43;
+    float p_4_1 = k_17 * r[8] * t_41 - t_45 * t_43;
     float t_46 = k_24 * r[8];
-    float q_4_1 = t_46 * t_43 - t_45 * t_41;
+    float q_4_1 = t_45 * t_41 + t_46 * t_43;
     float t_47 = k_25 * sin_3b;
-    float p_4_3 = k_17 * cos_3b * t_42 - t_47 * t_44;
-    float q_4_3 = t_47 * t_42 + k_26 * cos_3b * t_44;
+    float p_4_3 = k_17 * cos_3b * t_42 + t_47 * t_44;
+    float q_4_3 = k_26 * cos_3b * t_44 - t_47 * t_42;
     float t_48 = k_16 * p_4_1 + p_4_3;
     float t_49 = p_4_1 - k_16 * p_4_3;
     float t_50 = q_4_1 + q_4_3;
@@ -289,24 +289,24 @@ void rotate_l6(float r[9], float c[49], out float result[49]) {
     result[16] = sin_4a * t_38 + cos_4a * t_49;                       // l=4 m=-4
     float c31 = c[31];
     float c29 = c[29];
-    float v_5_1c = cos_g * c31 - sin_g * c29;
-    float v_5_1s = sin_g * c31 + cos_g * c29;
+    float v_5_1c = cos_ng * c31 + sin_ng * c29;
+    float v_5_1s = cos_ng * c29 - sin_ng * c31;
     float c32 = c[32];
     float c28 = c[28];
-    float v_5_2c = cos_2g * c32 - sin_2g * c28;
-    float v_5_2s = sin_2g * c32 + cos_2g * c28;
+    float v_5_2c = cos_2ng * c32 + sin_2ng * c28;
+    float v_5_2s = cos_2ng * c28 - sin_2ng * c32;
     float c33 = c[33];
     float c27 = c[27];
-    float v_5_3c = cos_3g * c33 - sin_3g * c27;
-    float v_5_3s = sin_3g * c33 + cos_3g * c27;
+    float v_5_3c = cos_3ng * c33 + sin_3ng * c27;
+    float v_5_3s = cos_3ng * c27 - sin_3ng * c33;
     float c34 = c[34];
     float c26 = c[26];
-    float v_5_4c = cos_4g * c34 - sin_4g * c26;
-    float v_5_4s = sin_4g * c34 + cos_4g * c26;
+    float v_5_4c = cos_4ng * c34 + sin_4ng * c26;
+    float v_5_4s = cos_4ng * c26 - sin_4ng * c34;
     float c35 = c[35];
     float c25 = c[25];
-    float v_5_5c = cos_5g * c35 - sin_5g * c25;
-    float v_5_5s = sin_5g * c35 + cos_5g * c25;
+    float v_5_5c = cos_5ng * c35 + sin_5ng * c25;
+    float v_5_5s = cos_5ng * c25 - sin_5ng * c35;
     float t_52 = k_28 * v_5_3c - k_27 * v_5_1c + v_5_5c;
     float t_53 = v_5_1c + k_29 * t_52;
     float t_54 = v_5_3c - k_30 * t_52;
@@ -316,17 +316,17 @@ void rotate_l6(float r[9], float c[49], out float result[49]) {
     float t_57 = v_5_4c - k_33 * c30 - k_34 * v_5_2c;
     float t_58 = c30 - k_35 * v_5_2c + k_36 * v_5_4c;
     float t_59 = k_37 * sin_b;
-    float q_5_1 = t_46 * t_56 - t_59 * t_53;
-    float p_5_1 = r[8] * t_53 + t_59 * t_56;
+    float q_5_1 = t_59 * t_53 + t_46 * t_56;
+    float p_5_1 = r[8] * t_53 - t_59 * t_56;
     float t_60 = k_79 * sin_b;
     float t_61 = k_38 * sin_3b;
     float t_62 = k_80 * sin_3b;
-    float q_5_3 = t_61 * t_54 + k_39 * cos_3b * t_57;
-    float p_5_3 = cos_3b * t_54 - t_61 * t_57;
+    float q_5_3 = k_39 * cos_3b * t_57 - t_61 * t_54;
+    float p_5_3 = cos_3b * t_54 + t_61 * t_57;
     float t_63 = k_25 * sin_5b;
     float t_64 = k_78 * sin_5b;
-    float q_5_5 = k_40 * cos_5b * t_58 - t_63 * t_55;
-    float p_5_5 = cos_5b * t_55 + t_63 * t_58;
+    float q_5_5 = t_63 * t_55 + k_40 * cos_5b * t_58;
+    float p_5_5 = cos_5b * t_55 - t_63 * t_58;
     float t_65 = k_28 * p_5_3 - k_27 * p_5_1 + p_5_5;
     float t_66 = p_5_1 + k_29 * t_65;
     float t_67 = p_5_3 - k_30 * t_65;
@@ -338,14 +338,14 @@ void rotate_l6(float r[9], float c[49], out float result[49]) {
     float t_72 = v_5_3s - k_43 * v_5_1s - k_44 * v_5_5s;
     float t_73 = k_2 * v_5_2s + v_5_4s;
     float t_74 = v_5_2s - k_2 * v_5_4s;
-    float t_75 = k_45 * t_4;
-    float p_5_2 = t_34 * t_71 + t_75 * t_73;
-    float t_76 = k_63 * t_4;
-    float q_5_2 = t_75 * t_71 + k_46 * cos_2b * t_73;
-    float t_77 = k_48 * t_9;
-    float p_5_4 = k_47 * t_8 * t_72 - t_77 * t_74;
-    float t_78 = k_66 * t_9;
-    float q_5_4 = k_46 * cos_4b * t_74 - t_77 * t_72;
+    float t_75 = k_45 * t_5;
+    float p_5_2 = t_34 * t_71 - t_75 * t_73;
+    float t_76 = k_63 * t_5;
+    float q_5_2 = k_46 * cos_2b * t_73 - t_75 * t_71;
+    float t_77 = k_48 * t_10;
+    float p_5_4 = k_47 * t_9 * t_72 + t_77 * t_74;
+    float t_78 = k_66 * t_10;
+    float q_5_4 = t_77 * t_72 + k_46 * cos_4b * t_74;
     float t_79 = v_5_1s - (p_5_2 - k_43 * p_5_4);
     float t_80 = v_5_3s - (k_41 * p_5_2 + p_5_4);
     float t_81 = v_5_5s + (k_42 * p_5_2 + k_44 * p_5_4);
@@ -363,41 +363,41 @@ void rotate_l6(float r[9], float c[49], out float result[49]) {
     result[25] = sin_5a * t_68 + cos_5a * t_81;                       // l=5 m=-5
     float c43 = c[43];
     float c41 = c[41];
-    float v_6_1c = cos_g * c43 - sin_g * c41;
-    float v_6_1s = sin_g * c43 + cos_g * c41;
+    float v_6_1c = cos_ng * c43 + sin_ng * c41;
+    float v_6_1s = cos_ng * c41 - sin_ng * c43;
     float c44 = c[44];
     float c40 = c[40];
-    float v_6_2c = cos_2g * c44 - sin_2g * c40;
-    float v_6_2s = sin_2g * c44 + cos_2g * c40;
+    float v_6_2c = cos_2ng * c44 + sin_2ng * c40;
+    float v_6_2s = cos_2ng * c40 - sin_2ng * c44;
     float c45 = c[45];
     float c39 = c[39];
-    float v_6_3c = cos_3g * c45 - sin_3g * c39;
-    float v_6_3s = sin_3g * c45 + cos_3g * c39;
+    float v_6_3c = cos_3ng * c45 + sin_3ng * c39;
+    float v_6_3s = cos_3ng * c39 - sin_3ng * c45;
     float c46 = c[46];
     float c38 = c[38];
-    float v_6_4c = cos_4g * c46 - sin_4g * c38;
-    float v_6_4s = sin_4g * c46 + cos_4g * c38;
+    float v_6_4c = cos_4ng * c46 + sin_4ng * c38;
+    float v_6_4s = cos_4ng * c38 - sin_4ng * c46;
     float c47 = c[47];
     float c37 = c[37];
-    float v_6_5c = cos_5g * c47 - sin_5g * c37;
-    float v_6_5s = sin_5g * c47 + cos_5g * c37;
+    float v_6_5c = cos_5ng * c47 + sin_5ng * c37;
+    float v_6_5s = cos_5ng * c37 - sin_5ng * c47;
     float c48 = c[48];
     float c36 = c[36];
-    float v_6_6c = cos_6g * c48 - sin_6g * c36;
-    float v_6_6s = sin_6g * c48 + cos_6g * c36;
+    float v_6_6c = cos_6ng * c48 + sin_6ng * c36;
+    float v_6_6s = cos_6ng * c36 - sin_6ng * c48;
     float c42 = c[42];
     float t_84 = v_6_6c - k_49 * c42 - k_50 * v_6_2c - k_51 * v_6_4c;
     float t_85 = v_6_4c - k_52 * c42 - k_53 * v_6_2c - k_54 * v_6_6c;
     float t_86 = v_6_2c - k_27 * c42 - k_55 * v_6_4c + k_56 * v_6_6c;
     float t_87 = k_51 * v_6_1c + k_57 * v_6_3c + v_6_5c;
-    float p_6_2 = k_62 * sin2_b * t_84 - t_76 * t_87;
-    float q_6_2 = k_64 * cos_2b * t_87 - t_76 * t_84;
+    float p_6_2 = k_62 * sin2_b * t_84 + t_76 * t_87;
+    float q_6_2 = t_76 * t_84 + k_64 * cos_2b * t_87;
     float t_88 = k_58 * v_6_1c + v_6_3c - k_59 * v_6_5c;
     float t_89 = v_6_1c - k_60 * v_6_3c + k_61 * v_6_5c;
-    float p_6_4 = k_65 * t_8 * t_85 - t_78 * t_88;
-    float q_6_4 = k_67 * cos_4b * t_88 - t_78 * t_85;
-    float p_6_6 = k_62 * t_11 * t_86 - t_12 * t_89;
-    float q_6_6 = (k_69 - k_70 * t_11) * t_89 - t_12 * t_86;
+    float p_6_4 = k_65 * t_9 * t_85 + t_78 * t_88;
+    float q_6_4 = t_78 * t_85 + k_67 * cos_4b * t_88;
+    float p_6_6 = k_62 * t_12 * t_86 + t_13 * t_89;
+    float q_6_6 = t_13 * t_86 + (k_69 - k_70 * t_12) * t_89;
     result[42] = c42 + (k_49 * p_6_2 + k_52 * p_6_4 + k_27 * p_6_6);  // l=6 m=0
     float t_90 = v_6_2c - (p_6_6 - k_50 * p_6_2 - k_53 * p_6_4);
     float t_91 = v_6_4c - (p_6_4 - k_51 * p_6_2 - k_55 * p_6_6);
@@ -412,29 +412,29 @@ void rotate_l6(float r[9], float c[49], out float result[49]) {
     float t_100 = v_6_1s + k_77 * t_99;
     float t_101 = v_6_3s - k_7 * t_99;
     float t_102 = v_6_5s - k_78 * t_99;
-    float p_6_1 = k_69 * r[8] * t_96 + t_60 * t_100;
-    float q_6_1 = t_60 * t_96 - r[8] * t_100;
-    float p_6_3 = k_67 * cos_3b * t_97 + t_62 * t_101;
-    float q_6_3 = t_62 * t_97 - cos_3b * t_101;
-    float p_6_5 = k_64 * cos_5b * t_98 + t_64 * t_102;
-    float q_6_5 = t_64 * t_98 - cos_5b * t_102;
+    float p_6_1 = k_69 * r[8] * t_96 - t_60 * t_100;
+    float q_6_1 = t_60 * t_96 + r[8] * t_100;
+    float p_6_3 = k_67 * cos_3b * t_97 - t_62 * t_101;
+    float q_6_3 = t_62 * t_97 + cos_3b * t_101;
+    float p_6_5 = k_64 * cos_5b * t_98 - t_64 * t_102;
+    float q_6_5 = t_64 * t_98 + cos_5b * t_102;
     float t_103 = k_71 * p_6_1 + k_73 * p_6_3 + p_6_5;
     float t_104 = k_72 * p_6_1 + p_6_3 - k_75 * p_6_5;
     float t_105 = p_6_1 - k_74 * p_6_3 + k_76 * p_6_5;
-    float t_106 = q_6_3 - k_58 * q_6_1 + k_59 * q_6_5;
-    float t_107 = q_6_1 + k_77 * t_106;
-    float t_108 = q_6_3 - k_7 * t_106;
-    float t_109 = q_6_5 - k_78 * t_106;
+    float t_106 = k_58 * q_6_1 - q_6_3 - k_59 * q_6_5;
+    float t_107 = k_77 * t_106 - q_6_1;
+    float t_108 = q_6_3 + k_7 * t_106;
+    float t_109 = q_6_5 + k_78 * t_106;
     result[43] = cos_a * t_93 + sin_a * t_107;                        // l=6 m=1
     result[41] = sin_a * t_93 - cos_a * t_107;                        // l=6 m=-1
     result[44] = cos_2a * t_90 - sin_2a * t_103;                      // l=6 m=2
     result[40] = sin_2a * t_90 + cos_2a * t_103;                      // l=6 m=-2
-    result[45] = cos_3a * t_94 + sin_3a * t_108;                      // l=6 m=3
-    result[39] = sin_3a * t_94 - cos_3a * t_108;                      // l=6 m=-3
+    result[45] = cos_3a * t_94 - sin_3a * t_108;                      // l=6 m=3
+    result[39] = sin_3a * t_94 + cos_3a * t_108;                      // l=6 m=-3
     result[46] = cos_4a * t_91 - sin_4a * t_104;                      // l=6 m=4
     result[38] = sin_4a * t_91 + cos_4a * t_104;                      // l=6 m=-4
-    result[47] = cos_5a * t_95 + sin_5a * t_109;                      // l=6 m=5
-    result[37] = sin_5a * t_95 - cos_5a * t_109;                      // l=6 m=-5
+    result[47] = cos_5a * t_95 - sin_5a * t_109;                      // l=6 m=5
+    result[37] = sin_5a * t_95 + cos_5a * t_109;                      // l=6 m=-5
     result[48] = cos_6a * t_92 - sin_6a * t_105;                      // l=6 m=6
     result[36] = sin_6a * t_92 + cos_6a * t_105;                      // l=6 m=-6
 }

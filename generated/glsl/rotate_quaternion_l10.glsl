@@ -10,7 +10,7 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         1438 multiplications, 997 additions, 1 divisions, 1 square roots, 6 selections; longest chain 39; at
+// Cost:         1437 multiplications, 998 additions, 1 divisions, 1 square roots, 6 selections; longest chain 40; at
 //               most 186 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 5.7e-06 (47.8 eps)
@@ -28,374 +28,373 @@ precision highp float;
 #endif
 
 void rotate_quaternion_l10(float q[4], float c[121], out float result[121]) {
-    const float tiny   = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float one    = 1.0;            // 1
-    const float zero   = 0.0;            // 0
-    const float two    = 2.0;            // 2
-    const float half_2 = 0.5;            // 1/2
-    const float k      = 8.0;            // 8
-    const float k_2    = 32.0;           // 32
-    const float k_3    = 0.57735026;     // 1/3 sqrt(3)
-    const float k_4    = 6.0;            // 6
-    const float k_5    = 1.7320508;      // sqrt(3)
-    const float k_6    = 0.2581989;      // 1/15 sqrt(15)
-    const float k_7    = 0.7745967;      // 1/5 sqrt(15)
-    const float k_8    = 0.9375;         // 15/16
-    const float k_9    = 0.76546556;     // 5/16 sqrt(6)
-    const float k_10   = 0.625;          // 5/8
-    const float k_11   = 5.0;            // 5
-    const float k_12   = 1.5811388;      // 1/2 sqrt(10)
-    const float k_13   = 0.8451542;      // 1/7 sqrt(35)
-    const float k_14   = 0.75592893;     // 2/7 sqrt(7)
-    const float k_15   = 0.8944272;      // 2/5 sqrt(5)
-    const float k_16   = 0.16903085;     // 1/35 sqrt(35)
-    const float k_17   = 0.37796447;     // 1/7 sqrt(7)
-    const float k_18   = 3.5;            // 7/2
-    const float k_19   = 1.2374369;      // 7/8 sqrt(2)
-    const float k_20   = 0.875;          // 7/8
-    const float k_21   = 4.375;          // 35/8
-    const float k_22   = 2.766993;       // 7/8 sqrt(10)
-    const float k_23   = 1.1338934;      // 3/7 sqrt(7)
-    const float k_24   = 0.8819171;      // 1/3 sqrt(7)
-    const float k_25   = 0.61871845;     // 7/16 sqrt(2)
-    const float k_26   = 0.4375;         // 7/16
-    const float k_27   = 0.70156074;     // 3/16 sqrt(14)
-    const float k_28   = 0.5625;         // 9/16
-    const float k_29   = 0.9660918;      // 1/15 sqrt(210)
-    const float k_30   = 0.4472136;      // 1/5 sqrt(5)
-    const float k_31   = 0.90571105;     // 1/16 sqrt(210)
-    const float k_32   = 0.41926274;     // 3/16 sqrt(5)
-    const float k_33   = 0.7319251;      // 1/14 sqrt(105)
-    const float k_34   = 0.8660254;      // 1/2 sqrt(3)
-    const float k_35   = 0.6573422;      // 1/9 sqrt(35)
-    const float k_36   = 0.38490018;     // 2/9 sqrt(3)
-    const float k_37   = 0.97590005;     // 2/21 sqrt(105)
-    const float k_38   = 0.28171808;     // 1/21 sqrt(35)
-    const float k_39   = 0.6614378;      // 1/4 sqrt(7)
-    const float k_40   = 0.79549515;     // 9/16 sqrt(2)
-    const float k_41   = 0.6328125;      // 81/128
-    const float k_42   = 0.4921875;      // 63/128
-    const float k_43   = 0.46291006;     // 1/14 sqrt(42)
-    const float k_44   = 1.0350983;      // 1/14 sqrt(210)
-    const float k_45   = 0.7200823;      // 1/9 sqrt(42)
-    const float k_46   = 0.248452;       // 1/9 sqrt(5)
-    const float k_47   = 1.145644;       // 1/4 sqrt(21)
-    const float k_48   = 0.75;           // 3/4
-    const float k_49   = 5.0625;         // 81/16
-    const float k_50   = 2.755676;       // 9/8 sqrt(6)
-    const float k_51   = 0.65133893;     // 1/33 sqrt(462)
-    const float k_52   = 0.76409316;     // 17/165 sqrt(55)
-    const float k_53   = 0.24618298;     // 1/33 sqrt(66)
-    const float k_54   = 0.610558;       // 3/13 sqrt(7)
-    const float k_55   = 0.21066253;     // 1/26 sqrt(30)
-    const float k_56   = 0.31246302;     // 1/26 sqrt(66)
-    const float k_57   = 0.36514837;     // 1/15 sqrt(30)
-    const float k_58   = 0.04494666;     // 1/165 sqrt(55)
-    const float k_59   = 0.700649;       // 3/55 sqrt(165)
-    const float k_60   = 0.6324555;      // 1/5 sqrt(10)
-    const float k_61   = 0.8563488;      // 1/15 sqrt(165)
-    const float k_62   = 0.52704626;     // 1/6 sqrt(10)
-    const float k_63   = 0.12309149;     // 1/66 sqrt(66)
-    const float k_64   = 3.8671875;      // 495/128
-    const float k_65   = 1.1163609;      // 165/256 sqrt(3)
-    const float k_66   = 0.64453125;     // 165/256
-    const float k_67   = 5.28125;        // 169/32
-    const float k_68   = 2.225123;       // 13/32 sqrt(30)
-    const float k_69   = 0.46875;        // 15/32
-    const float k_70   = 0.9667969;      // 495/512
-    const float k_71   = 1.2229121;      // 99/256 sqrt(10)
-    const float k_72   = 0.7734375;      // 99/128
-    const float k_73   = 0.2247333;      // 1/33 sqrt(55)
-    const float k_74   = 0.49236596;     // 2/33 sqrt(66)
-    const float k_75   = 0.8215838;      // 3/20 sqrt(30)
-    const float k_76   = 0.6770032;      // 1/12 sqrt(66)
-    const float k_77   = 0.73029673;     // 2/15 sqrt(30)
-    const float k_78   = 0.13483997;     // 1/55 sqrt(55)
-    const float k_79   = 0.59292704;     // 3/16 sqrt(10)
-    const float k_80   = 0.80282706;     // 1/16 sqrt(165)
-    const float k_81   = 0.87945294;     // 3/16 sqrt(22)
-    const float k_82   = 0.6846532;      // 1/8 sqrt(30)
-    const float k_83   = 0.34815532;     // 2/33 sqrt(33)
-    const float k_84   = 0.8941665;      // 7/429 sqrt(3003)
-    const float k_85   = 0.30151135;     // 1/11 sqrt(11)
-    const float k_86   = 0.44249767;     // 2/143 sqrt(1001)
-    const float k_87   = 1.078125;       // 69/64
-    const float k_88   = 0.24356964;     // 9/64 sqrt(3)
-    const float k_89   = 1.609375;       // 103/64
-    const float k_90   = 0.44879395;     // 5/64 sqrt(33)
-    const float k_91   = 0.5700449;      // 11/64 sqrt(11)
-    const float k_92   = 0.8562443;      // 1/64 sqrt(3003)
-    const float k_93   = 0.49435288;     // 1/64 sqrt(1001)
-    const float k_94   = 0.9380832;      // 1/5 sqrt(22)
-    const float k_95   = 0.79721737;     // 1/15 sqrt(143)
-    const float k_96   = 0.54194677;     // 1/143 sqrt(6006)
-    const float k_97   = 0.52961993;     // 19/429 sqrt(143)
-    const float k_98   = 0.13074408;     // 1/39 sqrt(26)
-    const float k_99   = 0.60794735;     // 1/25 sqrt(231)
-    const float k_100  = 0.093808316;    // 1/50 sqrt(22)
-    const float k_101  = 0.50990194;     // 1/10 sqrt(26)
-    const float k_102  = 0.9258201;      // 1/7 sqrt(42)
-    const float k_103  = 0.42640144;     // 1/11 sqrt(22)
-    const float k_104  = 0.0836242;      // 1/143 sqrt(143)
-    const float k_105  = 0.5740992;      // 15/64 sqrt(6)
-    const float k_106  = 0.32958984;     // 675/2048
-    const float k_107  = 0.7927282;      // 3/64 sqrt(286)
-    const float k_108  = 0.62841797;     // 1287/2048
-    const float k_109  = 0.78125;        // 25/32
-    const float k_110  = 0.61035156;     // 625/1024
-    const float k_111  = 0.6991205;      // 1/64 sqrt(2002)
-    const float k_112  = 0.48876953;     // 1001/2048
-    const float k_113  = 0.82117337;     // 15/1001 sqrt(3003)
-    const float k_114  = 0.6005326;      // 19/1001 sqrt(1001)
-    const float k_115  = 0.104828484;    // 1/91 sqrt(91)
-    const float k_116  = 0.6893475;      // 3/25 sqrt(33)
-    const float k_117  = 0.132665;       // 1/25 sqrt(11)
-    const float k_118  = 0.38157567;     // 1/25 sqrt(91)
-    const float k_119  = 0.5025189;      // 5/33 sqrt(11)
-    const float k_120  = 0.07374962;     // 1/429 sqrt(1001)
-    const float k_121  = 0.9198662;      // 1/13 sqrt(143)
-    const float k_122  = 0.78446454;     // 2/13 sqrt(26)
-    const float k_123  = 0.7473913;      // 1/16 sqrt(143)
-    const float k_124  = 0.63737744;     // 1/8 sqrt(26)
-    const float k_125  = 0.8125;         // 13/16
-    const float k_126  = 3.9101562;      // 1001/256
-    const float k_127  = 1.398241;       // 1/32 sqrt(2002)
-    const float k_128  = 4.8828125;      // 625/128
-    const float k_129  = 3.125;          // 25/8
-    const float k_130  = 1.2568359;      // 1287/1024
-    const float k_131  = 1.5854564;      // 3/32 sqrt(286)
-    const float k_132  = 0.5609682;      // 3/143 sqrt(715)
-    const float k_133  = 0.7151843;      // 16/1001 sqrt(2002)
-    const float k_134  = 0.46880722;     // 2/91 sqrt(455)
-    const float k_135  = 0.5633007;      // 1/52 sqrt(858)
-    const float k_136  = 0.44884875;     // 1/273 sqrt(15015)
-    const float k_137  = 0.38516444;     // 3/182 sqrt(546)
-    const float k_138  = 0.45643547;     // 1/12 sqrt(30)
-    const float k_139  = 0.6267832;      // 1/14 sqrt(77)
-    const float k_140  = 0.6847368;      // 8/273 sqrt(546)
-    const float k_141  = 0.117201805;    // 1/182 sqrt(455)
-    const float k_142  = 0.89642143;     // 3/28 sqrt(70)
-    const float k_143  = 0.4767313;      // 1/22 sqrt(110)
-    const float k_144  = 0.12241329;     // 1/1001 sqrt(15015)
-    const float k_145  = 0.011174754;    // 1/4004 sqrt(2002)
-    const float k_146  = 0.1869894;      // 1/143 sqrt(715)
-    const float k_147  = 0.5447048;      // 3/91 sqrt(273)
-    const float k_148  = 0.41137668;     // 1/65 sqrt(715)
-    const float k_149  = 0.9078413;      // 5/91 sqrt(273)
-    const float k_150  = 0.50709254;     // 3/35 sqrt(35)
-    const float k_151  = 0.6456854;      // 1/49 sqrt(1001)
-    const float k_152  = 0.6649638;      // 1/21 sqrt(195)
-    const float k_153  = 0.36220896;     // 3/49 sqrt(35)
-    const float k_154  = 0.6179144;      // 1/55 sqrt(1155)
-    const float k_155  = 0.22124884;     // 1/143 sqrt(1001)
-    const float k_156  = 0.03739788;     // 1/715 sqrt(715)
-    const float k_157  = 0.97753906;     // 1001/1024
-    const float k_158  = 4.265625;       // 273/64
-    const float k_159  = 1.9469825;      // 91/256 sqrt(30)
-    const float k_160  = 0.44433594;     // 455/1024
-    const float k_161  = 1.0664062;      // 273/256
-    const float k_162  = 1.0351876;      // 147/512 sqrt(13)
-    const float k_163  = 0.5024414;      // 1029/2048
-    const float k_164  = 15.640625;      // 1001/64
-    const float k_165  = 4.6735306;      // 143/256 sqrt(70)
-    const float k_166  = 0.6982422;      // 715/1024
-    const float k_167  = 0.15644656;     // 1/286 sqrt(2002)
-    const float k_168  = 0.32816505;     // 1/65 sqrt(455)
-    const float k_169  = 0.5477226;      // 1/10 sqrt(30)
-    const float k_170  = 0.62928534;     // 3/50 sqrt(110)
-    const float k_171  = 0.7788881;      // 1/30 sqrt(546)
-    const float k_172  = 0.85322917;     // 1/25 sqrt(455)
-    const float k_173  = 0.83357626;     // 1/147 sqrt(15015)
-    const float k_174  = 0.47687027;     // 1/49 sqrt(546)
-    const float k_175  = 0.26082027;     // 1/21 sqrt(30)
-    const float k_176  = 0.9534626;      // 1/11 sqrt(110)
-    const float k_177  = 0.3672399;      // 3/1001 sqrt(15015)
-    const float k_178  = 0.044699017;    // 1/1001 sqrt(2002)
-    const float k_179  = 0.35805744;     // 1/39 sqrt(195)
-    const float k_180  = 0.84731853;     // 2/39 sqrt(273)
-    const float k_181  = 0.41780445;     // 1/64 sqrt(715)
-    const float k_182  = 0.21819125;     // 1/64 sqrt(195)
-    const float k_183  = 0.7745021;      // 3/64 sqrt(273)
-    const float k_184  = 1.703125;       // 109/64
-    const float k_185  = 0.46219373;     // 5/64 sqrt(35)
-    const float k_186  = 1.109375;       // 71/64
-    const float k_187  = 0.8356089;      // 1/32 sqrt(715)
-    const float k_188  = 0.36621094;     // 375/1024
-    const float k_189  = 0.6051536;      // 5/32 sqrt(15)
-    const float k_190  = 0.708831;       // 7/64 sqrt(42)
-    const float k_191  = 0.5817745;      // 1/65 sqrt(1430)
-    const float k_192  = 0.56839854;     // 1/65 sqrt(1365)
-    const float k_193  = 0.9465345;      // 3/221 sqrt(4862)
-    const float k_194  = 0.41100988;     // 4/663 sqrt(4641)
-    const float k_195  = 0.24253562;     // 1/17 sqrt(17)
-    const float k_196  = 0.29543236;     // 1/128 sqrt(1430)
-    const float k_197  = 0.8171255;      // 3/256 sqrt(4862)
-    const float k_198  = 0.5772798;      // 1/64 sqrt(1365)
-    const float k_199  = 0.53222567;     // 1/128 sqrt(4641)
-    const float k_200  = 0.859375;       // 55/64
-    const float k_201  = 0.21608308;     // 3/128 sqrt(85)
-    const float k_202  = 0.7162405;      // 41/128 sqrt(5)
-    const float k_203  = 0.048317645;    // 3/256 sqrt(17)
-    const float k_204  = 0.99609375;     // 255/256
-    const float k_205  = 0.71509695;     // 3/44 sqrt(110)
-    const float k_206  = 0.9636241;      // 1/14 sqrt(182)
-    const float k_207  = 0.8921426;      // 1/7 sqrt(39)
-    const float k_208  = 0.75084984;     // 1/28 sqrt(442)
-    const float k_209  = 0.49886748;     // 1/221 sqrt(12155)
-    const float k_210  = 0.57078177;     // 6/221 sqrt(442)
-    const float k_211  = 0.1833397;      // 2/119 sqrt(119)
-    const float k_212  = 0.396059;       // 2/51 sqrt(102)
-    const float k_213  = 0.6549809;      // 1/100 sqrt(4290)
-    const float k_214  = 0.4163332;      // 1/15 sqrt(39)
-    const float k_215  = 0.6480741;      // 1/10 sqrt(42)
-    const float k_216  = 0.8416254;      // 1/12 sqrt(102)
-    const float k_217  = 0.65912443;     // 3/322 sqrt(5005)
-    const float k_218  = 0.0837934;      // 1/161 sqrt(182)
-    const float k_219  = 0.845314;       // 3/23 sqrt(42)
-    const float k_220  = 0.23714592;     // 1/46 sqrt(119)
-    const float k_221  = 0.87400734;     // 1/12 sqrt(110)
-    const float k_222  = 0.5188745;      // 1/26 sqrt(182)
-    const float k_223  = 0.16012815;     // 1/39 sqrt(39)
-    const float k_224  = 0.023782576;    // 1/884 sqrt(442)
-    const float k_225  = 0.5130142;      // 7/64 sqrt(22)
-    const float k_226  = 0.2631836;      // 539/2048
-    const float k_227  = 0.7526808;      // 1/128 sqrt(9282)
-    const float k_228  = 0.5665283;      // 4641/8192
-    const float k_229  = 0.67232907;     // 23/128 sqrt(14)
-    const float k_230  = 0.45202637;     // 3703/8192
-    const float k_231  = 0.69684696;     // 3/64 sqrt(221)
-    const float k_232  = 0.4855957;      // 1989/4096
-    const float k_233  = 0.73619354;     // 7/663 sqrt(4862)
-    const float k_234  = 0.6165148;      // 2/221 sqrt(4641)
-    const float k_235  = 0.36155075;     // 2/51 sqrt(85)
-    const float k_236  = 0.08084521;     // 1/51 sqrt(17)
-    const float k_237  = 0.7352841;      // 1/23 sqrt(286)
-    const float k_238  = 0.20525108;     // 2/161 sqrt(273)
-    const float k_239  = 0.5833221;      // 6/23 sqrt(5)
-    const float k_240  = 0.5377964;      // 3/23 sqrt(17)
-    const float k_241  = 0.7563068;      // 1/50 sqrt(1430)
-    const float k_242  = 0.4926121;      // 1/75 sqrt(1365)
-    const float k_243  = 0.93914855;     // 21/50 sqrt(5)
-    const float k_244  = 0.18439089;     // 1/50 sqrt(85)
-    const float k_245  = 0.5117663;      // 1/42 sqrt(462)
-    const float k_246  = 0.67666495;     // 5/273 sqrt(1365)
-    const float k_247  = 0.21182963;     // 1/78 sqrt(273)
-    const float k_248  = 0.022018386;    // 1/3094 sqrt(4641)
-    const float k_249  = 0.48038447;     // 1/13 sqrt(39)
-    const float k_250  = 0.7610424;      // 8/221 sqrt(442)
-    const float k_251  = 0.64168894;     // 1/17 sqrt(119)
-    const float k_252  = 0.5854686;      // 3/32 sqrt(39)
-    const float k_253  = 0.6569936;      // 1/32 sqrt(442)
-    const float k_254  = 0.20252314;     // 1/32 sqrt(42)
-    const float k_255  = 0.6817945;      // 1/16 sqrt(119)
-    const float k_256  = 1.71875;        // 55/32
-    const float k_257  = 0.3156095;      // 1/32 sqrt(102)
-    const float k_258  = 1.0625;         // 17/16
-    const float k_259  = 3.8847656;      // 1989/512
-    const float k_260  = 1.3936939;      // 3/32 sqrt(221)
-    const float k_261  = 3.616211;       // 3703/1024
-    const float k_262  = 2.6893163;      // 23/32 sqrt(14)
-    const float k_263  = 0.7324219;      // 375/512
-    const float k_264  = 1.2103072;      // 5/16 sqrt(15)
-    const float k_265  = 18.128906;      // 4641/256
-    const float k_266  = 6.021446;       // 1/16 sqrt(9282)
-    const float k_267  = 0.5066831;      // 7/4199 sqrt(92378)
-    const float k_268  = 0.6705689;      // 7/3705 sqrt(125970)
-    const float k_269  = 0.52825236;     // 26/4845 sqrt(9690)
-    const float k_270  = 0.27296484;     // 1/255 sqrt(4845)
-    const float k_271  = 0.14509524;     // 1/95 sqrt(190)
-    const float k_272  = 0.5895707;      // 1/187 sqrt(12155)
-    const float k_273  = 0.5966742;      // 13/561 sqrt(663)
-    const float k_274  = 0.025459638;    // 2/561 sqrt(51)
-    const float k_275  = 0.7471113;      // 83/1122 sqrt(102)
-    const float k_276  = 0.6265477;      // 1/22 sqrt(190)
-    const float k_277  = 0.6276075;      // 3/527 sqrt(12155)
-    const float k_278  = 0.30944145;     // 19/1581 sqrt(663)
-    const float k_279  = 0.7498274;      // 166/1581 sqrt(51)
-    const float k_280  = 0.75698376;     // 79/1054 sqrt(102)
-    const float k_281  = 0.22232337;     // 1/62 sqrt(190)
-    const float k_282  = 0.7017295;      // 1/66 sqrt(2145)
-    const float k_283  = 0.1638887;      // 1/22 sqrt(13)
-    const float k_284  = 0.99637777;     // 31/44 sqrt(2)
-    const float k_285  = 0.37552965;     // 59/1122 sqrt(51)
-    const float k_286  = 0.04386711;     // 1/2244 sqrt(9690)
-    const float k_287  = 0.5547002;      // 2/13 sqrt(13)
-    const float k_288  = 0.19611613;     // 1/26 sqrt(26)
-    const float k_289  = 0.03883678;     // 1/663 sqrt(663)
-    const float k_290  = 0.0028175162;   // 1/125970 sqrt(125970)
-    const float k_291  = 0.15277071;     // 7/4199 sqrt(8398)
-    const float k_292  = 0.4497448;      // 14/969 sqrt(969)
-    const float k_293  = 0.71832854;     // 10/969 sqrt(4845)
-    const float k_294  = 0.92717266;     // 7/57 sqrt(57)
-    const float k_295  = 0.28371704;     // 1/323 sqrt(8398)
-    const float k_296  = 0.7067418;      // 22/969 sqrt(969)
-    const float k_297  = 0.13245323;     // 1/57 sqrt(57)
-    const float k_298  = 0.44832906;     // 9/731 sqrt(1326)
-    const float k_299  = 0.77837014;     // 138/731 sqrt(17)
-    const float k_300  = 0.025224471;    // 2/731 sqrt(85)
-    const float k_301  = 0.5267326;      // 3/43 sqrt(57)
-    const float k_302  = 0.6582806;      // 1/30 sqrt(390)
-    const float k_303  = 0.59655875;     // 11/170 sqrt(85)
-    const float k_304  = 0.13648242;     // 1/510 sqrt(4845)
-    const float k_305  = 0.67936623;     // 1/13 sqrt(78)
-    const float k_306  = 0.3038218;      // 1/65 sqrt(390)
-    const float k_307  = 0.08238526;     // 1/442 sqrt(1326)
-    const float k_308  = 0.010912194;    // 1/8398 sqrt(8398)
-    const float k_309  = 3.8442993;      // 62985/16384
-    const float k_310  = 0.85961145;     // 12597/32768 sqrt(5)
-    const float k_311  = 0.38442993;     // 12597/32768
-    const float k_312  = 3.0131836;      // 6171/2048
-    const float k_313  = 1.688592;       // 561/2048 sqrt(38)
-    const float k_314  = 0.47314453;     // 969/2048
-    const float k_315  = 0.7478485;      // 49011/65536
-    const float k_316  = 0.84698313;     // 22661/65536 sqrt(6)
-    const float k_317  = 0.47962952;     // 31433/65536
-    const float k_318  = 12.052734;      // 6171/512
-    const float k_319  = 3.4649174;      // 561/512 sqrt(10)
-    const float k_320  = 0.49804688;     // 255/512
-    const float k_321  = 0.9610748;      // 62985/65536
-    const float k_322  = 1.1097536;      // 20995/32768 sqrt(3)
-    const float k_323  = 0.64071655;     // 20995/32768
-    const float k_324  = 1.2814331;      // 20995/16384
-    const float k_325  = 0.11833569;     // 7/20995 sqrt(125970)
-    const float k_326  = 0.24380879;     // 4/1615 sqrt(9690)
-    const float k_327  = 0.3878974;      // 9/1615 sqrt(4845)
-    const float k_328  = 0.580381;       // 4/95 sqrt(190)
-    const float k_329  = 0.51278794;     // 7/4845 sqrt(125970)
-    const float k_330  = 0.89396554;     // 44/4845 sqrt(9690)
-    const float k_331  = 0.9912934;      // 23/1615 sqrt(4845)
-    const float k_332  = 0.63109773;     // 5/204 sqrt(663)
-    const float k_333  = 0.70014006;     // 5/51 sqrt(51)
-    const float k_334  = 0.024753688;    // 1/408 sqrt(102)
-    const float k_335  = 0.3446012;      // 1/40 sqrt(190)
-    const float k_336  = 0.83007294;     // 7/43 sqrt(26)
-    const float k_337  = 0.13155475;     // 4/43 sqrt(2)
-    const float k_338  = 0.60790455;     // 44/731 sqrt(102)
-    const float k_339  = 0.09522029;     // 1/731 sqrt(4845)
-    const float k_340  = 0.9013878;      // 1/4 sqrt(13)
-    const float k_341  = 0.53033006;     // 3/8 sqrt(2)
-    const float k_342  = 0.14002801;     // 1/51 sqrt(51)
-    const float k_343  = 0.012698375;    // 1/7752 sqrt(9690)
-    const float k_344  = 0.5642405;      // 1/35 sqrt(390)
-    const float k_345  = 0.31943828;     // 1/7 sqrt(5)
-    const float k_346  = 0.5268311;      // 2/35 sqrt(85)
-    const float k_347  = 0.6890271;      // 1/133 sqrt(8398)
-    const float k_348  = 0.9362035;      // 4/133 sqrt(969)
-    const float k_349  = 0.5108911;      // 9/133 sqrt(57)
-    const float k_350  = 0.46285355;     // 3/128 sqrt(390)
-    const float k_351  = 0.3579711;      // 1/256 sqrt(8398)
-    const float k_352  = 0.034938563;    // 1/64 sqrt(5)
-    const float k_353  = 0.7295804;      // 3/128 sqrt(969)
-    const float k_354  = 1.484375;       // 95/64
-    const float k_355  = 0.54379714;     // 1/128 sqrt(4845)
-    const float k_356  = 0.50419384;     // 7/128 sqrt(85)
-    const float k_357  = 0.20644079;     // 7/256 sqrt(57)
-    const float k_358  = 0.96484375;     // 247/256
-    const float k_359  = 0.8004477;      // 1/256 sqrt(41990)
-    const float k_360  = 0.29571533;     // 4845/16384
-    const float k_361  = 0.70572436;     // 1/32 sqrt(510)
-    const float k_362  = 0.6925529;      // 43/256 sqrt(17)
-    const float k_363  = 0.687855;       // 1/64 sqrt(1938)
+    const float tiny  = 1.9721523e-31;  // 1/5070602400912917605986812821504
+    const float one   = 1.0;            // 1
+    const float zero  = 0.0;            // 0
+    const float two   = 2.0;            // 2
+    const float k     = 8.0;            // 8
+    const float k_2   = 32.0;           // 32
+    const float k_3   = 0.57735026;     // 1/3 sqrt(3)
+    const float k_4   = 6.0;            // 6
+    const float k_5   = 1.7320508;      // sqrt(3)
+    const float k_6   = 0.2581989;      // 1/15 sqrt(15)
+    const float k_7   = 0.7745967;      // 1/5 sqrt(15)
+    const float k_8   = 0.9375;         // 15/16
+    const float k_9   = 0.76546556;     // 5/16 sqrt(6)
+    const float k_10  = 0.625;          // 5/8
+    const float k_11  = 5.0;            // 5
+    const float k_12  = 1.5811388;      // 1/2 sqrt(10)
+    const float k_13  = 0.8451542;      // 1/7 sqrt(35)
+    const float k_14  = 0.75592893;     // 2/7 sqrt(7)
+    const float k_15  = 0.8944272;      // 2/5 sqrt(5)
+    const float k_16  = 0.16903085;     // 1/35 sqrt(35)
+    const float k_17  = 0.37796447;     // 1/7 sqrt(7)
+    const float k_18  = 3.5;            // 7/2
+    const float k_19  = 1.2374369;      // 7/8 sqrt(2)
+    const float k_20  = 0.875;          // 7/8
+    const float k_21  = 4.375;          // 35/8
+    const float k_22  = 2.766993;       // 7/8 sqrt(10)
+    const float k_23  = 1.1338934;      // 3/7 sqrt(7)
+    const float k_24  = 0.8819171;      // 1/3 sqrt(7)
+    const float k_25  = 0.61871845;     // 7/16 sqrt(2)
+    const float k_26  = 0.4375;         // 7/16
+    const float k_27  = 0.70156074;     // 3/16 sqrt(14)
+    const float k_28  = 0.5625;         // 9/16
+    const float k_29  = 0.9660918;      // 1/15 sqrt(210)
+    const float k_30  = 0.4472136;      // 1/5 sqrt(5)
+    const float k_31  = 0.90571105;     // 1/16 sqrt(210)
+    const float k_32  = 0.41926274;     // 3/16 sqrt(5)
+    const float k_33  = 0.7319251;      // 1/14 sqrt(105)
+    const float k_34  = 0.8660254;      // 1/2 sqrt(3)
+    const float k_35  = 0.6573422;      // 1/9 sqrt(35)
+    const float k_36  = 0.38490018;     // 2/9 sqrt(3)
+    const float k_37  = 0.97590005;     // 2/21 sqrt(105)
+    const float k_38  = 0.28171808;     // 1/21 sqrt(35)
+    const float k_39  = 0.6614378;      // 1/4 sqrt(7)
+    const float k_40  = 0.79549515;     // 9/16 sqrt(2)
+    const float k_41  = 0.6328125;      // 81/128
+    const float k_42  = 0.4921875;      // 63/128
+    const float k_43  = 0.46291006;     // 1/14 sqrt(42)
+    const float k_44  = 1.0350983;      // 1/14 sqrt(210)
+    const float k_45  = 0.7200823;      // 1/9 sqrt(42)
+    const float k_46  = 0.248452;       // 1/9 sqrt(5)
+    const float k_47  = 1.145644;       // 1/4 sqrt(21)
+    const float k_48  = 0.75;           // 3/4
+    const float k_49  = 5.0625;         // 81/16
+    const float k_50  = 2.755676;       // 9/8 sqrt(6)
+    const float k_51  = 0.65133893;     // 1/33 sqrt(462)
+    const float k_52  = 0.76409316;     // 17/165 sqrt(55)
+    const float k_53  = 0.24618298;     // 1/33 sqrt(66)
+    const float k_54  = 0.610558;       // 3/13 sqrt(7)
+    const float k_55  = 0.21066253;     // 1/26 sqrt(30)
+    const float k_56  = 0.31246302;     // 1/26 sqrt(66)
+    const float k_57  = 0.36514837;     // 1/15 sqrt(30)
+    const float k_58  = 0.04494666;     // 1/165 sqrt(55)
+    const float k_59  = 0.700649;       // 3/55 sqrt(165)
+    const float k_60  = 0.6324555;      // 1/5 sqrt(10)
+    const float k_61  = 0.8563488;      // 1/15 sqrt(165)
+    const float k_62  = 0.52704626;     // 1/6 sqrt(10)
+    const float k_63  = 0.12309149;     // 1/66 sqrt(66)
+    const float k_64  = 3.8671875;      // 495/128
+    const float k_65  = 1.1163609;      // 165/256 sqrt(3)
+    const float k_66  = 0.64453125;     // 165/256
+    const float k_67  = 5.28125;        // 169/32
+    const float k_68  = 2.225123;       // 13/32 sqrt(30)
+    const float k_69  = 0.46875;        // 15/32
+    const float k_70  = 0.9667969;      // 495/512
+    const float k_71  = 1.2229121;      // 99/256 sqrt(10)
+    const float k_72  = 0.7734375;      // 99/128
+    const float k_73  = 0.2247333;      // 1/33 sqrt(55)
+    const float k_74  = 0.49236596;     // 2/33 sqrt(66)
+    const float k_75  = 0.8215838;      // 3/20 sqrt(30)
+    const float k_76  = 0.6770032;      // 1/12 sqrt(66)
+    const float k_77  = 0.73029673;     // 2/15 sqrt(30)
+    const float k_78  = 0.13483997;     // 1/55 sqrt(55)
+    const float k_79  = 0.59292704;     // 3/16 sqrt(10)
+    const float k_80  = 0.80282706;     // 1/16 sqrt(165)
+    const float k_81  = 0.87945294;     // 3/16 sqrt(22)
+    const float k_82  = 0.6846532;      // 1/8 sqrt(30)
+    const float k_83  = 0.34815532;     // 2/33 sqrt(33)
+    const float k_84  = 0.8941665;      // 7/429 sqrt(3003)
+    const float k_85  = 0.30151135;     // 1/11 sqrt(11)
+    const float k_86  = 0.44249767;     // 2/143 sqrt(1001)
+    const float k_87  = 1.078125;       // 69/64
+    const float k_88  = 0.24356964;     // 9/64 sqrt(3)
+    const float k_89  = 1.609375;       // 103/64
+    const float k_90  = 0.44879395;     // 5/64 sqrt(33)
+    const float k_91  = 0.5700449;      // 11/64 sqrt(11)
+    const float k_92  = 0.8562443;      // 1/64 sqrt(3003)
+    const float k_93  = 0.49435288;     // 1/64 sqrt(1001)
+    const float k_94  = 0.9380832;      // 1/5 sqrt(22)
+    const float k_95  = 0.79721737;     // 1/15 sqrt(143)
+    const float k_96  = 0.54194677;     // 1/143 sqrt(6006)
+    const float k_97  = 0.52961993;     // 19/429 sqrt(143)
+    const float k_98  = 0.13074408;     // 1/39 sqrt(26)
+    const float k_99  = 0.60794735;     // 1/25 sqrt(231)
+    const float k_100 = 0.093808316;    // 1/50 sqrt(22)
+    const float k_101 = 0.50990194;     // 1/10 sqrt(26)
+    const float k_102 = 0.9258201;      // 1/7 sqrt(42)
+    const float k_103 = 0.42640144;     // 1/11 sqrt(22)
+    const float k_104 = 0.0836242;      // 1/143 sqrt(143)
+    const float k_105 = 0.5740992;      // 15/64 sqrt(6)
+    const float k_106 = 0.32958984;     // 675/2048
+    const float k_107 = 0.7927282;      // 3/64 sqrt(286)
+    const float k_108 = 0.62841797;     // 1287/2048
+    const float k_109 = 0.78125;        // 25/32
+    const float k_110 = 0.61035156;     // 625/1024
+    const float k_111 = 0.6991205;      // 1/64 sqrt(2002)
+    const float k_112 = 0.48876953;     // 1001/2048
+    const float k_113 = 0.82117337;     // 15/1001 sqrt(3003)
+    const float k_114 = 0.6005326;      // 19/1001 sqrt(1001)
+    const float k_115 = 0.104828484;    // 1/91 sqrt(91)
+    const float k_116 = 0.6893475;      // 3/25 sqrt(33)
+    const float k_117 = 0.132665;       // 1/25 sqrt(11)
+    const float k_118 = 0.38157567;     // 1/25 sqrt(91)
+    const float k_119 = 0.5025189;      // 5/33 sqrt(11)
+    const float k_120 = 0.07374962;     // 1/429 sqrt(1001)
+    const float k_121 = 0.9198662;      // 1/13 sqrt(143)
+    const float k_122 = 0.78446454;     // 2/13 sqrt(26)
+    const float k_123 = 0.7473913;      // 1/16 sqrt(143)
+    const float k_124 = 0.63737744;     // 1/8 sqrt(26)
+    const float k_125 = 0.8125;         // 13/16
+    const float k_126 = 3.9101562;      // 1001/256
+    const float k_127 = 1.398241;       // 1/32 sqrt(2002)
+    const float k_128 = 4.8828125;      // 625/128
+    const float k_129 = 3.125;          // 25/8
+    const float k_130 = 1.2568359;      // 1287/1024
+    const float k_131 = 1.5854564;      // 3/32 sqrt(286)
+    const float k_132 = 0.5609682;      // 3/143 sqrt(715)
+    const float k_133 = 0.7151843;      // 16/1001 sqrt(2002)
+    const float k_134 = 0.46880722;     // 2/91 sqrt(455)
+    const float k_135 = 0.5633007;      // 1/52 sqrt(858)
+    const float k_136 = 0.44884875;     // 1/273 sqrt(15015)
+    const float k_137 = 0.38516444;     // 3/182 sqrt(546)
+    const float k_138 = 0.45643547;     // 1/12 sqrt(30)
+    const float k_139 = 0.6267832;      // 1/14 sqrt(77)
+    const float k_140 = 0.6847368;      // 8/273 sqrt(546)
+    const float k_141 = 0.117201805;    // 1/182 sqrt(455)
+    const float k_142 = 0.89642143;     // 3/28 sqrt(70)
+    const float k_143 = 0.4767313;      // 1/22 sqrt(110)
+    const float k_144 = 0.12241329;     // 1/1001 sqrt(15015)
+    const float k_145 = 0.011174754;    // 1/4004 sqrt(2002)
+    const float k_146 = 0.1869894;      // 1/143 sqrt(715)
+    const float k_147 = 0.5447048;      // 3/91 sqrt(273)
+    const float k_148 = 0.41137668;     // 1/65 sqrt(715)
+    const float k_149 = 0.9078413;      // 5/91 sqrt(273)
+    const float k_150 = 0.50709254;     // 3/35 sqrt(35)
+    const float k_151 = 0.6456854;      // 1/49 sqrt(1001)
+    const float k_152 = 0.6649638;      // 1/21 sqrt(195)
+    const float k_153 = 0.36220896;     // 3/49 sqrt(35)
+    const float k_154 = 0.6179144;      // 1/55 sqrt(1155)
+    const float k_155 = 0.22124884;     // 1/143 sqrt(1001)
+    const float k_156 = 0.03739788;     // 1/715 sqrt(715)
+    const float k_157 = 0.97753906;     // 1001/1024
+    const float k_158 = 4.265625;       // 273/64
+    const float k_159 = 1.9469825;      // 91/256 sqrt(30)
+    const float k_160 = 0.44433594;     // 455/1024
+    const float k_161 = 1.0664062;      // 273/256
+    const float k_162 = 1.0351876;      // 147/512 sqrt(13)
+    const float k_163 = 0.5024414;      // 1029/2048
+    const float k_164 = 15.640625;      // 1001/64
+    const float k_165 = 4.6735306;      // 143/256 sqrt(70)
+    const float k_166 = 0.6982422;      // 715/1024
+    const float k_167 = 0.15644656;     // 1/286 sqrt(2002)
+    const float k_168 = 0.32816505;     // 1/65 sqrt(455)
+    const float k_169 = 0.5477226;      // 1/10 sqrt(30)
+    const float k_170 = 0.62928534;     // 3/50 sqrt(110)
+    const float k_171 = 0.7788881;      // 1/30 sqrt(546)
+    const float k_172 = 0.85322917;     // 1/25 sqrt(455)
+    const float k_173 = 0.83357626;     // 1/147 sqrt(15015)
+    const float k_174 = 0.47687027;     // 1/49 sqrt(546)
+    const float k_175 = 0.26082027;     // 1/21 sqrt(30)
+    const float k_176 = 0.9534626;      // 1/11 sqrt(110)
+    const float k_177 = 0.3672399;      // 3/1001 sqrt(15015)
+    const float k_178 = 0.044699017;    // 1/1001 sqrt(2002)
+    const float k_179 = 0.35805744;     // 1/39 sqrt(195)
+    const float k_180 = 0.84731853;     // 2/39 sqrt(273)
+    const float k_181 = 0.41780445;     // 1/64 sqrt(715)
+    const float k_182 = 0.21819125;     // 1/64 sqrt(195)
+    const float k_183 = 0.7745021;      // 3/64 sqrt(273)
+    const float k_184 = 1.703125;       // 109/64
+    const float k_185 = 0.46219373;     // 5/64 sqrt(35)
+    const float k_186 = 1.109375;       // 71/64
+    const float k_187 = 0.8356089;      // 1/32 sqrt(715)
+    const float k_188 = 0.36621094;     // 375/1024
+    const float k_189 = 0.6051536;      // 5/32 sqrt(15)
+    const float k_190 = 0.708831;       // 7/64 sqrt(42)
+    const float k_191 = 0.5817745;      // 1/65 sqrt(1430)
+    const float k_192 = 0.56839854;     // 1/65 sqrt(1365)
+    const float k_193 = 0.9465345;      // 3/221 sqrt(4862)
+    const float k_194 = 0.41100988;     // 4/663 sqrt(4641)
+    const float k_195 = 0.24253562;     // 1/17 sqrt(17)
+    const float k_196 = 0.29543236;     // 1/128 sqrt(1430)
+    const float k_197 = 0.8171255;      // 3/256 sqrt(4862)
+    const float k_198 = 0.5772798;      // 1/64 sqrt(1365)
+    const float k_199 = 0.53222567;     // 1/128 sqrt(4641)
+    const float k_200 = 0.859375;       // 55/64
+    const float k_201 = 0.21608308;     // 3/128 sqrt(85)
+    const float k_202 = 0.7162405;      // 41/128 sqrt(5)
+    const float k_203 = 0.048317645;    // 3/256 sqrt(17)
+    const float k_204 = 0.99609375;     // 255/256
+    const float k_205 = 0.71509695;     // 3/44 sqrt(110)
+    const float k_206 = 0.9636241;      // 1/14 sqrt(182)
+    const float k_207 = 0.8921426;      // 1/7 sqrt(39)
+    const float k_208 = 0.75084984;     // 1/28 sqrt(442)
+    const float k_209 = 0.49886748;     // 1/221 sqrt(12155)
+    const float k_210 = 0.57078177;     // 6/221 sqrt(442)
+    const float k_211 = 0.1833397;      // 2/119 sqrt(119)
+    const float k_212 = 0.396059;       // 2/51 sqrt(102)
+    const float k_213 = 0.6549809;      // 1/100 sqrt(4290)
+    const float k_214 = 0.4163332;      // 1/15 sqrt(39)
+    const float k_215 = 0.6480741;      // 1/10 sqrt(42)
+    const float k_216 = 0.8416254;      // 1/12 sqrt(102)
+    const float k_217 = 0.65912443;     // 3/322 sqrt(5005)
+    const float k_218 = 0.0837934;      // 1/161 sqrt(182)
+    const float k_219 = 0.845314;       // 3/23 sqrt(42)
+    const float k_220 = 0.23714592;     // 1/46 sqrt(119)
+    const float k_221 = 0.87400734;     // 1/12 sqrt(110)
+    const float k_222 = 0.5188745;      // 1/26 sqrt(182)
+    const float k_223 = 0.16012815;     // 1/39 sqrt(39)
+    const float k_224 = 0.023782576;    // 1/884 sqrt(442)
+    const float k_225 = 0.5130142;      // 7/64 sqrt(22)
+    const float k_226 = 0.2631836;      // 539/2048
+    const float k_227 = 0.7526808;      // 1/128 sqrt(9282)
+    const float k_228 = 0.5665283;      // 4641/8192
+    const float k_229 = 0.67232907;     // 23/128 sqrt(14)
+    const float k_230 = 0.45202637;     // 3703/8192
+    const float k_231 = 0.69684696;     // 3/64 sqrt(221)
+    const float k_232 = 0.4855957;      // 1989/4096
+    const float k_233 = 0.73619354;     // 7/663 sqrt(4862)
+    const float k_234 = 0.6165148;      // 2/221 sqrt(4641)
+    const float k_235 = 0.36155075;     // 2/51 sqrt(85)
+    const float k_236 = 0.08084521;     // 1/51 sqrt(17)
+    const float k_237 = 0.7352841;      // 1/23 sqrt(286)
+    const float k_238 = 0.20525108;     // 2/161 sqrt(273)
+    const float k_239 = 0.5833221;      // 6/23 sqrt(5)
+    const float k_240 = 0.5377964;      // 3/23 sqrt(17)
+    const float k_241 = 0.7563068;      // 1/50 sqrt(1430)
+    const float k_242 = 0.4926121;      // 1/75 sqrt(1365)
+    const float k_243 = 0.93914855;     // 21/50 sqrt(5)
+    const float k_244 = 0.18439089;     // 1/50 sqrt(85)
+    const float k_245 = 0.5117663;      // 1/42 sqrt(462)
+    const float k_246 = 0.67666495;     // 5/273 sqrt(1365)
+    const float k_247 = 0.21182963;     // 1/78 sqrt(273)
+    const float k_248 = 0.022018386;    // 1/3094 sqrt(4641)
+    const float k_249 = 0.48038447;     // 1/13 sqrt(39)
+    const float k_250 = 0.7610424;      // 8/221 sqrt(442)
+    const float k_251 = 0.64168894;     // 1/17 sqrt(119)
+    const float k_252 = 0.5854686;      // 3/32 sqrt(39)
+    const float k_253 = 0.6569936;      // 1/32 sqrt(442)
+    const float k_254 = 0.20252314;     // 1/32 sqrt(42)
+    const float k_255 = 0.6817945;      // 1/16 sqrt(119)
+    const float k_256 = 1.71875;        // 55/32
+    const float k_257 = 0.3156095;      // 1/32 sqrt(102)
+    const float k_258 = 1.0625;         // 17/16
+    const float k_259 = 3.8847656;      // 1989/512
+    const float k_260 = 1.3936939;      // 3/32 sqrt(221)
+    const float k_261 = 3.616211;       // 3703/1024
+    const float k_262 = 2.6893163;      // 23/32 sqrt(14)
+    const float k_263 = 0.7324219;      // 375/512
+    const float k_264 = 1.2103072;      // 5/16 sqrt(15)
+    const float k_265 = 18.128906;      // 4641/256
+    const float k_266 = 6.021446;       // 1/16 sqrt(9282)
+    const float k_267 = 0.5066831;      // 7/4199 sqrt(92378)
+    const float k_268 = 0.6705689;      // 7/3705 sqrt(125970)
+    const float k_269 = 0.52825236;     // 26/4845 sqrt(9690)
+    const float k_270 = 0.27296484;     // 1/255 sqrt(4845)
+    const float k_271 = 0.14509524;     // 1/95 sqrt(190)
+    const float k_272 = 0.5895707;      // 1/187 sqrt(12155)
+    const float k_273 = 0.5966742;      // 13/561 sqrt(663)
+    const float k_274 = 0.025459638;    // 2/561 sqrt(51)
+    const float k_275 = 0.7471113;      // 83/1122 sqrt(102)
+    const float k_276 = 0.6265477;      // 1/22 sqrt(190)
+    const float k_277 = 0.6276075;      // 3/527 sqrt(12155)
+    const float k_278 = 0.30944145;     // 19/1581 sqrt(663)
+    const float k_279 = 0.7498274;      // 166/1581 sqrt(51)
+    const float k_280 = 0.75698376;     // 79/1054 sqrt(102)
+    const float k_281 = 0.22232337;     // 1/62 sqrt(190)
+    const float k_282 = 0.7017295;      // 1/66 sqrt(2145)
+    const float k_283 = 0.1638887;      // 1/22 sqrt(13)
+    const float k_284 = 0.99637777;     // 31/44 sqrt(2)
+    const float k_285 = 0.37552965;     // 59/1122 sqrt(51)
+    const float k_286 = 0.04386711;     // 1/2244 sqrt(9690)
+    const float k_287 = 0.5547002;      // 2/13 sqrt(13)
+    const float k_288 = 0.19611613;     // 1/26 sqrt(26)
+    const float k_289 = 0.03883678;     // 1/663 sqrt(663)
+    const float k_290 = 0.0028175162;   // 1/125970 sqrt(125970)
+    const float k_291 = 0.15277071;     // 7/4199 sqrt(8398)
+    const float k_292 = 0.4497448;      // 14/969 sqrt(969)
+    const float k_293 = 0.71832854;     // 10/969 sqrt(4845)
+    const float k_294 = 0.92717266;     // 7/57 sqrt(57)
+    const float k_295 = 0.28371704;     // 1/323 sqrt(8398)
+    const float k_296 = 0.7067418;      // 22/969 sqrt(969)
+    const float k_297 = 0.13245323;     // 1/57 sqrt(57)
+    const float k_298 = 0.44832906;     // 9/731 sqrt(1326)
+    const float k_299 = 0.77837014;     // 138/731 sqrt(17)
+    const float k_300 = 0.025224471;    // 2/731 sqrt(85)
+    const float k_301 = 0.5267326;      // 3/43 sqrt(57)
+    const float k_302 = 0.6582806;      // 1/30 sqrt(390)
+    const float k_303 = 0.59655875;     // 11/170 sqrt(85)
+    const float k_304 = 0.13648242;     // 1/510 sqrt(4845)
+    const float k_305 = 0.67936623;     // 1/13 sqrt(78)
+    const float k_306 = 0.3038218;      // 1/65 sqrt(390)
+    const float k_307 = 0.08238526;     // 1/442 sqrt(1326)
+    const float k_308 = 0.010912194;    // 1/8398 sqrt(8398)
+    const float k_309 = 3.8442993;      // 62985/16384
+    const float k_310 = 0.85961145;     // 12597/32768 sqrt(5)
+    const float k_311 = 0.38442993;     // 12597/32768
+    const float k_312 = 3.0131836;      // 6171/2048
+    const float k_313 = 1.688592;       // 561/2048 sqrt(38)
+    const float k_314 = 0.47314453;     // 969/2048
+    const float k_315 = 0.7478485;      // 49011/65536
+    const float k_316 = 0.84698313;     // 22661/65536 sqrt(6)
+    const float k_317 = 0.47962952;     // 31433/65536
+    const float k_318 = 12.052734;      // 6171/512
+    const float k_319 = 3.4649174;      // 561/512 sqrt(10)
+    const float k_320 = 0.49804688;     // 255/512
+    const float k_321 = 0.9610748;      // 62985/65536
+    const float k_322 = 1.1097536;      // 20995/32768 sqrt(3)
+    const float k_323 = 0.64071655;     // 20995/32768
+    const float k_324 = 1.2814331;      // 20995/16384
+    const float k_325 = 0.11833569;     // 7/20995 sqrt(125970)
+    const float k_326 = 0.24380879;     // 4/1615 sqrt(9690)
+    const float k_327 = 0.3878974;      // 9/1615 sqrt(4845)
+    const float k_328 = 0.580381;       // 4/95 sqrt(190)
+    const float k_329 = 0.51278794;     // 7/4845 sqrt(125970)
+    const float k_330 = 0.89396554;     // 44/4845 sqrt(9690)
+    const float k_331 = 0.9912934;      // 23/1615 sqrt(4845)
+    const float k_332 = 0.63109773;     // 5/204 sqrt(663)
+    const float k_333 = 0.70014006;     // 5/51 sqrt(51)
+    const float k_334 = 0.024753688;    // 1/408 sqrt(102)
+    const float k_335 = 0.3446012;      // 1/40 sqrt(190)
+    const float k_336 = 0.83007294;     // 7/43 sqrt(26)
+    const float k_337 = 0.13155475;     // 4/43 sqrt(2)
+    const float k_338 = 0.60790455;     // 44/731 sqrt(102)
+    const float k_339 = 0.09522029;     // 1/731 sqrt(4845)
+    const float k_340 = 0.9013878;      // 1/4 sqrt(13)
+    const float k_341 = 0.53033006;     // 3/8 sqrt(2)
+    const float k_342 = 0.14002801;     // 1/51 sqrt(51)
+    const float k_343 = 0.012698375;    // 1/7752 sqrt(9690)
+    const float k_344 = 0.5642405;      // 1/35 sqrt(390)
+    const float k_345 = 0.31943828;     // 1/7 sqrt(5)
+    const float k_346 = 0.5268311;      // 2/35 sqrt(85)
+    const float k_347 = 0.6890271;      // 1/133 sqrt(8398)
+    const float k_348 = 0.9362035;      // 4/133 sqrt(969)
+    const float k_349 = 0.5108911;      // 9/133 sqrt(57)
+    const float k_350 = 0.46285355;     // 3/128 sqrt(390)
+    const float k_351 = 0.3579711;      // 1/256 sqrt(8398)
+    const float k_352 = 0.034938563;    // 1/64 sqrt(5)
+    const float k_353 = 0.7295804;      // 3/128 sqrt(969)
+    const float k_354 = 1.484375;       // 95/64
+    const float k_355 = 0.54379714;     // 1/128 sqrt(4845)
+    const float k_356 = 0.50419384;     // 7/128 sqrt(85)
+    const float k_357 = 0.20644079;     // 7/256 sqrt(57)
+    const float k_358 = 0.96484375;     // 247/256
+    const float k_359 = 0.8004477;      // 1/256 sqrt(41990)
+    const float k_360 = 0.29571533;     // 4845/16384
+    const float k_361 = 0.70572436;     // 1/32 sqrt(510)
+    const float k_362 = 0.6925529;      // 43/256 sqrt(17)
+    const float k_363 = 0.687855;       // 1/64 sqrt(1938)
 
     result[0] = c[0];                                                                                           // l=0 m=0
     float aa = q[0] * q[0] + q[3] * q[3];
@@ -404,8 +403,8 @@ void rotate_quaternion_l10(float q[4], float c[121], out float result[121]) {
     float a_im = (aa < tiny ? zero : q[3]);
     float b_re = (bb < tiny ? one : q[2]);
     float b_im = (bb < tiny ? zero : q[1]);
-    float inv2 = two / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
-    float inv = sqrt(half_2 * inv2);
+    float inv_sq = one / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
+    float inv = sqrt(inv_sq);
     float t = a_re * b_re;
     float t_2 = a_im * b_im;
     float t_3 = a_im * b_re;
@@ -414,88 +413,89 @@ void rotate_quaternion_l10(float q[4], float c[121], out float result[121]) {
     float t_6 = t_3 - t_4;
     float cos_a = t_5 * inv;
     float sin_a = t_6 * inv;
-    float t_7 = t_6 * inv2;
-    float t_8 = t_7 * t_6;
-    float sin_2a = t_7 * t_5;
-    float cos_2a = one - t_8;
-    float t_9 = cos_2a - t_8;
-    float cos_3a = cos_a * t_9;
-    float sin_3a = sin_a * (t_9 + two);
-    float t_10 = cos_a + cos_a;
-    float cos_4a = t_10 * cos_3a - cos_2a;
-    float sin_4a = t_10 * sin_3a - sin_2a;
-    float cos_5a = t_10 * cos_4a - cos_3a;
-    float sin_5a = t_10 * sin_4a - sin_3a;
-    float cos_6a = t_10 * cos_5a - cos_4a;
-    float sin_6a = t_10 * sin_5a - sin_4a;
-    float cos_7a = t_10 * cos_6a - cos_5a;
-    float sin_7a = t_10 * sin_6a - sin_5a;
+    float t_7 = inv_sq + inv_sq;
+    float t_8 = t_6 * t_7;
+    float t_9 = t_8 * t_6;
+    float sin_2a = t_8 * t_5;
+    float cos_2a = one - t_9;
+    float t_10 = cos_2a - t_9;
+    float cos_3a = cos_a * t_10;
+    float sin_3a = sin_a * (t_10 + two);
+    float t_11 = cos_a + cos_a;
+    float cos_4a = t_11 * cos_3a - cos_2a;
+    float sin_4a = t_11 * sin_3a - sin_2a;
+    float cos_5a = t_11 * cos_4a - cos_3a;
+    float sin_5a = t_11 * sin_4a - sin_3a;
+    float cos_6a = t_11 * cos_5a - cos_4a;
+    float sin_6a = t_11 * sin_5a - sin_4a;
+    float cos_7a = t_11 * cos_6a - cos_5a;
+    float sin_7a = t_11 * sin_6a - sin_5a;
     float cos_8a = cos_4a * cos_4a - sin_4a * sin_4a;
     float sin_8a = (sin_4a + sin_4a) * cos_4a;
-    float cos_9a = t_10 * cos_8a - cos_7a;
-    float sin_9a = t_10 * sin_8a - sin_7a;
-    float cos_10a = t_10 * cos_9a - cos_8a;
-    float sin_10a = t_10 * sin_9a - sin_8a;
-    float t_11 = t - t_2;
-    float t_12 = t_3 + t_4;
-    float cos_g = t_11 * inv;
-    float sin_g = t_12 * inv;
-    float t_13 = t_12 * inv2;
-    float t_14 = t_13 * t_12;
-    float sin_2g = t_13 * t_11;
-    float cos_2g = one - t_14;
-    float t_15 = cos_2g - t_14;
-    float cos_3g = cos_g * t_15;
-    float sin_3g = sin_g * (t_15 + two);
-    float t_16 = cos_g + cos_g;
-    float cos_4g = t_16 * cos_3g - cos_2g;
-    float sin_4g = t_16 * sin_3g - sin_2g;
-    float cos_5g = t_16 * cos_4g - cos_3g;
-    float sin_5g = t_16 * sin_4g - sin_3g;
-    float cos_6g = t_16 * cos_5g - cos_4g;
-    float sin_6g = t_16 * sin_5g - sin_4g;
-    float cos_7g = t_16 * cos_6g - cos_5g;
-    float sin_7g = t_16 * sin_6g - sin_5g;
+    float cos_9a = t_11 * cos_8a - cos_7a;
+    float sin_9a = t_11 * sin_8a - sin_7a;
+    float cos_10a = t_11 * cos_9a - cos_8a;
+    float sin_10a = t_11 * sin_9a - sin_8a;
+    float t_12 = t - t_2;
+    float t_13 = t_3 + t_4;
+    float cos_g = t_12 * inv;
+    float sin_g = t_13 * inv;
+    float t_14 = t_13 * t_7;
+    float t_15 = t_14 * t_13;
+    float sin_2g = t_14 * t_12;
+    float cos_2g = one - t_15;
+    float t_16 = cos_2g - t_15;
+    float cos_3g = cos_g * t_16;
+    float sin_3g = sin_g * (t_16 + two);
+    float t_17 = cos_g + cos_g;
+    float cos_4g = t_17 * cos_3g - cos_2g;
+    float sin_4g = t_17 * sin_3g - sin_2g;
+    float cos_5g = t_17 * cos_4g - cos_3g;
+    float sin_5g = t_17 * sin_4g - sin_3g;
+    float cos_6g = t_17 * cos_5g - cos_4g;
+    float sin_6g = t_17 * sin_5g - sin_4g;
+    float cos_7g = t_17 * cos_6g - cos_5g;
+    float sin_7g = t_17 * sin_6g - sin_5g;
     float cos_8g = cos_4g * cos_4g - sin_4g * sin_4g;
     float sin_8g = (sin_4g + sin_4g) * cos_4g;
-    float cos_9g = t_16 * cos_8g - cos_7g;
-    float sin_9g = t_16 * sin_8g - sin_7g;
-    float cos_10g = t_16 * cos_9g - cos_8g;
-    float sin_10g = t_16 * sin_9g - sin_8g;
-    float t_17 = aa * bb;
-    float t_18 = t_17 * inv;
-    float sin_b = t_18 + t_18;
+    float cos_9g = t_17 * cos_8g - cos_7g;
+    float sin_9g = t_17 * sin_8g - sin_7g;
+    float cos_10g = t_17 * cos_9g - cos_8g;
+    float sin_10g = t_17 * sin_9g - sin_8g;
+    float t_18 = aa * bb;
+    float t_19 = t_18 * inv;
+    float sin_b = t_19 + t_19;
     float cos_b = aa - bb;
-    float t_19 = sin_b * cos_b;
-    float t_20 = k * t_17;
-    float cos_2b = one - t_20;
-    float t_21 = cos_2b - t_20;
-    float t_22 = t_21 + two;
-    float cos_3b = cos_b * t_21;
-    float sin_3b = sin_b * t_22;
-    float t_23 = t_19 * t_19;
-    float t_24 = t_19 * cos_2b;
-    float cos_4b = one - k * t_23;
-    float t_25 = cos_4b + cos_4b;
-    float t_26 = t_25 - t_21;
-    float t_27 = t_25 + t_22;
-    float cos_5b = cos_b * t_26;
-    float sin_5b = sin_b * t_27;
-    float t_28 = sin_3b * sin_3b;
-    float t_29 = sin_3b * cos_3b;
-    float cos_6b = one - two * t_28;
-    float t_30 = cos_6b + cos_6b;
-    float t_31 = t_30 - t_26;
-    float t_32 = t_30 + t_27;
-    float cos_7b = cos_b * t_31;
-    float sin_7b = sin_b * t_32;
-    float t_33 = t_24 * t_24;
-    float t_34 = t_24 * cos_4b;
-    float cos_8b = one - k_2 * t_33;
-    float t_35 = cos_8b + cos_8b;
-    float cos_9b = cos_b * (t_35 - t_31);
-    float sin_9b = sin_b * (t_35 + t_32);
-    float t_36 = sin_5b * sin_5b;
+    float t_20 = sin_b * cos_b;
+    float t_21 = k * t_18;
+    float cos_2b = one - t_21;
+    float t_22 = cos_2b - t_21;
+    float t_23 = t_22 + two;
+    float cos_3b = cos_b * t_22;
+    float sin_3b = sin_b * t_23;
+    float t_24 = t_20 * t_20;
+    float t_25 = t_20 * cos_2b;
+    float cos_4b = one - k * t_24;
+    float t_26 = cos_4b + cos_4b;
+    float t_27 = t_26 - t_22;
+    float t_28 = t_26 + t_23;
+    float cos_5b = cos_b * t_27;
+    float sin_5b = sin_b * t_28;
+    float t_29 = sin_3b * sin_3b;
+    float t_30 = sin_3b * cos_3b;
+    float cos_6b = one - two * t_29;
+    float t_31 = cos_6b + cos_6b;
+    float t_32 = t_31 - t_27;
+    float t_33 = t_31 + t_28;
+    float cos_7b = cos_b * t_32;
+    float sin_7b = sin_b * t_33;
+    float t_34 = t_25 * t_25;
+    float t_35 = t_25 * cos_4b;
+    float cos_8b = one - k_2 * t_34;
+    float t_36 = cos_8b + cos_8b;
+    float cos_9b = cos_b * (t_36 - t_32);
+    float sin_9b = sin_b * (t_36 + t_33);
+    float t_37 = sin_5b * sin_5b;
     float c3 = c[3];
     float c1 = c[1];
     float v_1_1c = cos_g * c3 - sin_g * c1;
@@ -514,18 +514,18 @@ void rotate_quaternion_l10(float q[4], float c[121], out float result[121]) {
     float v_2_2c = cos_2g * c8 - sin_2g * c4;
     float v_2_2s = sin_2g * c8 + cos_2g * c4;
     float c6 = c[6];
-    float t_37 = c6 - k_3 * v_2_2c;
-    float t_38 = k_5 * t_19;
-    float p_2_2 = k_4 * t_17 * t_37 + t_38 * v_2_1c;
-    float q_2_2 = t_38 * t_37 + cos_2b * v_2_1c;
+    float t_38 = c6 - k_3 * v_2_2c;
+    float t_39 = k_5 * t_20;
+    float p_2_2 = k_4 * t_18 * t_38 + t_39 * v_2_1c;
+    float q_2_2 = t_39 * t_38 + cos_2b * v_2_1c;
     result[6] = c6 - p_2_2;                                                                                     // l=2 m=0
-    float t_39 = v_2_2c + k_3 * p_2_2;
+    float t_40 = v_2_2c + k_3 * p_2_2;
     float p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
     float q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
     result[7] = cos_a * q_2_2 - sin_a * q_2_1;                                                                  // l=2 m=1
     result[5] = sin_a * q_2_2 + cos_a * q_2_1;                                                                  // l=2 m=-1
-    result[8] = cos_2a * t_39 - sin_2a * p_2_1;                                                                 // l=2 m=2
-    result[4] = sin_2a * t_39 + cos_2a * p_2_1;                                                                 // l=2 m=-2
+    result[8] = cos_2a * t_40 - sin_2a * p_2_1;                                                                 // l=2 m=2
+    result[4] = sin_2a * t_40 + cos_2a * p_2_1;                                                                 // l=2 m=-2
     float c13 = c[13];
     float c11 = c[11];
     float v_3_1c = cos_g * c13 - sin_g * c11;
@@ -538,33 +538,33 @@ void rotate_quaternion_l10(float q[4], float c[121], out float result[121]) {
     float c9 = c[9];
     float v_3_3c = cos_3g * c15 - sin_3g * c9;
     float v_3_3s = sin_3g * c15 + cos_3g * c9;
-    float t_40 = k_6 * v_3_1c + v_3_3c;
-    float t_41 = v_3_1c - k_6 * v_3_3c;
+    float t_41 = k_6 * v_3_1c + v_3_3c;
+    float t_42 = v_3_1c - k_6 * v_3_3c;
     float c12 = c[12];
-    float t_42 = k_7 * c12 + v_3_2c;
-    float t_43 = c12 - k_7 * v_3_2c;
-    float t_44 = k_9 * sin_b;
-    float p_3_1 = k_8 * cos_b * t_40 + t_44 * t_42;
-    float q_3_1 = k_10 * cos_b * t_42 - t_44 * t_40;
-    float t_45 = k_9 * sin_3b;
-    float p_3_3 = k_8 * cos_3b * t_41 + t_45 * t_43;
-    float q_3_3 = k_10 * cos_3b * t_43 - t_45 * t_41;
-    float t_46 = k_6 * p_3_1 + p_3_3;
-    float t_47 = p_3_1 - k_6 * p_3_3;
+    float t_43 = k_7 * c12 + v_3_2c;
+    float t_44 = c12 - k_7 * v_3_2c;
+    float t_45 = k_9 * sin_b;
+    float p_3_1 = k_8 * cos_b * t_41 + t_45 * t_43;
+    float q_3_1 = k_10 * cos_b * t_43 - t_45 * t_41;
+    float t_46 = k_9 * sin_3b;
+    float p_3_3 = k_8 * cos_3b * t_42 + t_46 * t_44;
+    float q_3_3 = k_10 * cos_3b * t_44 - t_46 * t_42;
+    float t_47 = k_6 * p_3_1 + p_3_3;
+    float t_48 = p_3_1 - k_6 * p_3_3;
     result[12] = k_7 * q_3_1 + q_3_3;                                                                           // l=3 m=0
-    float t_48 = q_3_1 - k_7 * q_3_3;
-    float t_49 = v_3_1s - k_7 * v_3_3s;
-    float t_50 = k_12 * t_19;
-    float p_3_2 = k_11 * t_17 * t_49 + t_50 * v_3_2s;
-    float q_3_2 = t_50 * t_49 + cos_2b * v_3_2s;
-    float t_51 = v_3_1s - p_3_2;
-    float t_52 = v_3_3s + k_7 * p_3_2;
-    result[13] = cos_a * t_46 - sin_a * t_51;                                                                   // l=3 m=1
-    result[11] = sin_a * t_46 + cos_a * t_51;                                                                   // l=3 m=-1
-    result[14] = cos_2a * t_48 - sin_2a * q_3_2;                                                                // l=3 m=2
-    result[10] = sin_2a * t_48 + cos_2a * q_3_2;                                                                // l=3 m=-2
-    result[15] = cos_3a * t_47 - sin_3a * t_52;                                                                 // l=3 m=3
-    result[9] = sin_3a * t_47 + cos_3a * t_52;                                                                  // l=3 m=-3
+    float t_49 = q_3_1 - k_7 * q_3_3;
+    float t_50 = v_3_1s - k_7 * v_3_3s;
+    float t_51 = k_12 * t_20;
+    float p_3_2 = k_11 * t_18 * t_50 + t_51 * v_3_2s;
+    float q_3_2 = t_51 * t_50 + cos_2b * v_3_2s;
+    float t_52 = v_3_1s - p_3_2;
+    float t_53 = v_3_3s + k_7 * p_3_2;
+    result[13] = cos_a * t_47 - sin_a * t_52;                                                                   // l=3 m=1
+    result[11] = sin_a * t_47 + cos_a * t_52;                                                                   // l=3 m=-1
+    result[14] = cos_2a * t_49 - sin_2a * q_3_2;                                                                // l=3 m=2
+    result[10] = sin_2a * t_49 + cos_2a * q_3_2;                                                                // l=3 m=-2
+    result[15] = cos_3a * t_48 - sin_3a * t_53;                                                                 // l=3 m=3
+    result[9] = sin_3a * t_48 + cos_3a * t_53;                                                                  // l=3 m=-3
     float c21 = c[21];
     float c19 = c[19];
     float v_4_1c = cos_g * c21 - sin_g * c19;
@@ -582,45 +582,45 @@ void rotate_quaternion_l10(float q[4], float c[121], out float result[121]) {
     float v_4_4c = cos_4g * c24 - sin_4g * c16;
     float v_4_4s = sin_4g * c24 + cos_4g * c16;
     float c20 = c[20];
-    float t_53 = v_4_4c - k_13 * c20 - k_14 * v_4_2c;
-    float t_54 = c20 - k_15 * v_4_2c + k_16 * v_4_4c;
-    float t_55 = k_17 * v_4_1c + v_4_3c;
-    float t_56 = v_4_1c - k_17 * v_4_3c;
-    float t_57 = k_18 * t_17;
-    float t_58 = k_19 * t_19;
-    float p_4_2 = t_57 * t_53 - t_58 * t_55;
-    float q_4_2 = k_20 * cos_2b * t_55 - t_58 * t_53;
-    float t_59 = k_22 * t_24;
-    float p_4_4 = k_21 * t_23 * t_54 + t_59 * t_56;
-    float q_4_4 = t_59 * t_54 + k_20 * cos_4b * t_56;
+    float t_54 = v_4_4c - k_13 * c20 - k_14 * v_4_2c;
+    float t_55 = c20 - k_15 * v_4_2c + k_16 * v_4_4c;
+    float t_56 = k_17 * v_4_1c + v_4_3c;
+    float t_57 = v_4_1c - k_17 * v_4_3c;
+    float t_58 = k_18 * t_18;
+    float t_59 = k_19 * t_20;
+    float p_4_2 = t_58 * t_54 - t_59 * t_56;
+    float q_4_2 = k_20 * cos_2b * t_56 - t_59 * t_54;
+    float t_60 = k_22 * t_25;
+    float p_4_4 = k_21 * t_24 * t_55 + t_60 * t_57;
+    float q_4_4 = t_60 * t_55 + k_20 * cos_4b * t_57;
     result[20] = c20 - (p_4_4 - k_13 * p_4_2);                                                                  // l=4 m=0
-    float t_60 = v_4_2c + (k_14 * p_4_2 + k_15 * p_4_4);
-    float t_61 = v_4_4c - (p_4_2 + k_16 * p_4_4);
-    float t_62 = k_17 * q_4_2 + q_4_4;
-    float t_63 = q_4_2 - k_17 * q_4_4;
-    float t_64 = k_17 * v_4_2s + v_4_4s;
-    float t_65 = v_4_2s - k_17 * v_4_4s;
-    float t_66 = k_23 * v_4_1s + v_4_3s;
-    float t_67 = v_4_3s - k_24 * v_4_1s;
-    float t_68 = k_25 * sin_b;
-    float t_69 = k_26 * cos_b;
-    float p_4_1 = k_20 * cos_b * t_64 + t_68 * t_66;
-    float q_4_1 = t_69 * t_66 - t_68 * t_64;
-    float t_70 = k_27 * sin_3b;
-    float p_4_3 = k_20 * cos_3b * t_65 - t_70 * t_67;
-    float q_4_3 = t_70 * t_65 + k_28 * cos_3b * t_67;
-    float t_71 = k_17 * p_4_1 + p_4_3;
-    float t_72 = p_4_1 - k_17 * p_4_3;
-    float t_73 = k_23 * q_4_1 - k_24 * q_4_3;
-    float t_74 = q_4_1 + q_4_3;
-    result[21] = cos_a * t_62 - sin_a * t_73;                                                                   // l=4 m=1
-    result[19] = sin_a * t_62 + cos_a * t_73;                                                                   // l=4 m=-1
-    result[22] = cos_2a * t_60 - sin_2a * t_71;                                                                 // l=4 m=2
-    result[18] = sin_2a * t_60 + cos_2a * t_71;                                                                 // l=4 m=-2
-    result[23] = cos_3a * t_63 - sin_3a * t_74;                                                                 // l=4 m=3
-    result[17] = sin_3a * t_63 + cos_3a * t_74;                                                                 // l=4 m=-3
-    result[24] = cos_4a * t_61 - sin_4a * t_72;                                                                 // l=4 m=4
-    result[16] = sin_4a * t_61 + cos_4a * t_72;                                                                 // l=4 m=-4
+    float t_61 = v_4_2c + (k_14 * p_4_2 + k_15 * p_4_4);
+    float t_62 = v_4_4c - (p_4_2 + k_16 * p_4_4);
+    float t_63 = k_17 * q_4_2 + q_4_4;
+    float t_64 = q_4_2 - k_17 * q_4_4;
+    float t_65 = k_17 * v_4_2s + v_4_4s;
+    float t_66 = v_4_2s - k_17 * v_4_4s;
+    float t_67 = k_23 * v_4_1s + v_4_3s;
+    float t_68 = v_4_3s - k_24 * v_4_1s;
+    float t_69 = k_25 * sin_b;
+    float t_70 = k_26 * cos_b;
+    float p_4_1 = k_20 * cos_b * t_65 + t_69 * t_67;
+    float q_4_1 = t_70 * t_67 - t_69 * t_65;
+    float t_71 = k_27 * sin_3b;
+    float p_4_3 = k_20 * cos_3b * t_66 - t_71 * t_68;
+    float q_4_3 = t_71 * t_66 + k_28 * cos_3b * t_68;
+    float t_72 = k_17 * p_4_1 + p_4_3;
+    float t_73 = p_4_1 - k_17 * p_4_3;
+    float t_74 = k_23 * q_4_1 - k_24 * q_4_3;
+    float t_75 = q_4_1 + q_4_3;
+    result[21] = cos_a * t_63 - sin_a * t_74;                                                                   // l=4 m=1
+    result[19] = sin_a * t_63 + cos_a * t_74;                                                                   // l=4 m=-1
+    result[22] = cos_2a * t_61 - sin_2a * t_72;                                                                 // l=4 m=2
+    result[18] = sin_2a * t_61 + cos_2a * t_72;                                                                 // l=4 m=-2
+    result[23] = cos_3a * t_64 - sin_3a * t_75;                                                                 // l=4 m=3
+    result[17] = sin_3a * t_64 + cos_3a * t_75;                                                                 // l=4 m=-3
+    result[24] = cos_4a * t_62 - sin_4a * t_73;                                                                 // l=4 m=4
+    result[16] = sin_4a * t_62 + cos_4a * t_73;                                                                 // l=4 m=-4
     float c31 = c[31];
     float c29 = c[29];
     float v_5_1c = cos_g * c31 - sin_g * c29;
@@ -641,55 +641,55 @@ void rotate_quaternion_l10(float q[4], float c[121], out float result[121]) {
     float c25 = c[25];
     float v_5_5c = cos_5g * c35 - sin_5g * c25;
     float v_5_5s = sin_5g * c35 + cos_5g * c25;
-    float t_75 = k_30 * v_5_3c - k_29 * v_5_1c + v_5_5c;
-    float t_76 = v_5_1c + k_31 * t_75;
-    float t_77 = v_5_3c - k_32 * t_75;
-    float t_78 = v_5_5c - k_8 * t_75;
+    float t_76 = k_30 * v_5_3c - k_29 * v_5_1c + v_5_5c;
+    float t_77 = v_5_1c + k_31 * t_76;
+    float t_78 = v_5_3c - k_32 * t_76;
+    float t_79 = v_5_5c - k_8 * t_76;
     float c30 = c[30];
-    float t_79 = k_33 * c30 + v_5_2c + k_34 * v_5_4c;
-    float t_80 = v_5_4c - k_35 * c30 - k_36 * v_5_2c;
-    float t_81 = c30 - k_37 * v_5_2c + k_38 * v_5_4c;
-    float t_82 = k_39 * sin_b;
-    float p_5_1 = cos_b * t_76 + t_82 * t_79;
-    float q_5_1 = t_69 * t_79 - t_82 * t_76;
-    float t_83 = k_40 * sin_3b;
-    float p_5_3 = cos_3b * t_77 - t_83 * t_80;
-    float q_5_3 = t_83 * t_77 + k_41 * cos_3b * t_80;
-    float t_84 = k_27 * sin_5b;
-    float p_5_5 = cos_5b * t_78 + t_84 * t_81;
-    float q_5_5 = k_42 * cos_5b * t_81 - t_84 * t_78;
-    float t_85 = k_30 * p_5_3 - k_29 * p_5_1 + p_5_5;
-    float t_86 = p_5_1 + k_31 * t_85;
-    float t_87 = p_5_3 - k_32 * t_85;
-    float t_88 = p_5_5 - k_8 * t_85;
+    float t_80 = k_33 * c30 + v_5_2c + k_34 * v_5_4c;
+    float t_81 = v_5_4c - k_35 * c30 - k_36 * v_5_2c;
+    float t_82 = c30 - k_37 * v_5_2c + k_38 * v_5_4c;
+    float t_83 = k_39 * sin_b;
+    float p_5_1 = cos_b * t_77 + t_83 * t_80;
+    float q_5_1 = t_70 * t_80 - t_83 * t_77;
+    float t_84 = k_40 * sin_3b;
+    float p_5_3 = cos_3b * t_78 - t_84 * t_81;
+    float q_5_3 = t_84 * t_78 + k_41 * cos_3b * t_81;
+    float t_85 = k_27 * sin_5b;
+    float p_5_5 = cos_5b * t_79 + t_85 * t_82;
+    float q_5_5 = k_42 * cos_5b * t_82 - t_85 * t_79;
+    float t_86 = k_30 * p_5_3 - k_29 * p_5_1 + p_5_5;
+    float t_87 = p_5_1 + k_31 * t_86;
+    float t_88 = p_5_3 - k_32 * t_86;
+    float t_89 = p_5_5 - k_8 * t_86;
     result[30] = k_33 * q_5_1 - k_35 * q_5_3 + q_5_5;                                                           // l=5 m=0
-    float t_89 = q_5_1 - k_36 * q_5_3 - k_37 * q_5_5;
-    float t_90 = k_34 * q_5_1 + q_5_3 + k_38 * q_5_5;
-    float t_91 = v_5_1s + k_43 * v_5_3s - k_44 * v_5_5s;
-    float t_92 = v_5_3s - k_45 * v_5_1s - k_46 * v_5_5s;
-    float t_93 = k_3 * v_5_2s + v_5_4s;
-    float t_94 = v_5_2s - k_3 * v_5_4s;
-    float t_95 = k_47 * t_19;
-    float p_5_2 = t_57 * t_91 + t_95 * t_93;
-    float q_5_2 = t_95 * t_91 + k_48 * cos_2b * t_93;
-    float t_96 = k_50 * t_24;
-    float p_5_4 = k_49 * t_23 * t_92 - t_96 * t_94;
-    float q_5_4 = k_48 * cos_4b * t_94 - t_96 * t_92;
-    float t_97 = v_5_1s - (p_5_2 - k_45 * p_5_4);
-    float t_98 = v_5_3s - (k_43 * p_5_2 + p_5_4);
-    float t_99 = v_5_5s + (k_44 * p_5_2 + k_46 * p_5_4);
-    float t_100 = k_3 * q_5_2 + q_5_4;
-    float t_101 = q_5_2 - k_3 * q_5_4;
-    result[31] = cos_a * t_86 - sin_a * t_97;                                                                   // l=5 m=1
-    result[29] = sin_a * t_86 + cos_a * t_97;                                                                   // l=5 m=-1
-    result[32] = cos_2a * t_89 - sin_2a * t_100;                                                                // l=5 m=2
-    result[28] = sin_2a * t_89 + cos_2a * t_100;                                                                // l=5 m=-2
-    result[33] = cos_3a * t_87 - sin_3a * t_98;                                                                 // l=5 m=3
-    result[27] = sin_3a * t_87 + cos_3a * t_98;                                                                 // l=5 m=-3
-    result[34] = cos_4a * t_90 - sin_4a * t_101;                                                                // l=5 m=4
-    result[26] = sin_4a * t_90 + cos_4a * t_101;                                                                // l=5 m=-4
-    result[35] = cos_5a * t_88 - sin_5a * t_99;                                                                 // l=5 m=5
-    result[25] = sin_5a * t_88 + cos_5a * t_99;                                                                 // l=5 m=-5
+    float t_90 = q_5_1 - k_36 * q_5_3 - k_37 * q_5_5;
+    float t_91 = k_34 * q_5_1 + q_5_3 + k_38 * q_5_5;
+    float t_92 = v_5_1s + k_43 * v_5_3s - k_44 * v_5_5s;
+    float t_93 = v_5_3s - k_45 * v_5_1s - k_46 * v_5_5s;
+    float t_94 = k_3 * v_5_2s + v_5_4s;
+    float t_95 = v_5_2s - k_3 * v_5_4s;
+    float t_96 = k_47 * t_20;
+    float p_5_2 = t_58 * t_92 + t_96 * t_94;
+    float q_5_2 = t_96 * t_92 + k_48 * cos_2b * t_94;
+    float t_97 = k_50 * t_25;
+    float p_5_4 = k_49 * t_24 * t_93 - t_97 * t_95;
+    float q_5_4 = k_48 * cos_4b * t_95 - t_97 * t_93;
+    float t_98 = v_5_1s - (p_5_2 - k_45 * p_5_4);
+    float t_99 = v_5_3s - (k_43 * p_5_2 + p_5_4);
+    float t_100 = v_5_5s + (k_44 * p_5_2 + k_46 * p_5_4);
+    float t_101 = k_3 * q_5_2 + q_5_4;
+    float t_102 = q_5_2 - k_3 * q_5_4;
+    result[31] = cos_a * t_87 - sin_a * t_98;                                                                   // l=5 m=1
+    result[29] = sin_a * t_87 + cos_a * t_98;                                                                   // l=5 m=-1
+    result[32] = cos_2a * t_90 - sin_2a * t_101;                                                                // l=5 m=2
+    result[28] = sin_2a * t_90 + cos_2a * t_101;                                                                // l=5 m=-2
+    result[33] = cos_3a * t_88 - sin_3a * t_99;                                                                 // l=5 m=3
+    result[27] = sin_3a * t_88 + cos_3a * t_99;                                                                 // l=5 m=-3
+    result[34] = cos_4a * t_91 - sin_4a * t_102;                                                                // l=5 m=4
+    result[26] = sin_4a * t_91 + cos_4a * t_102;                                                                // l=5 m=-4
+    result[35] = cos_5a * t_89 - sin_5a * t_100;                                                                // l=5 m=5
+    result[25] = sin_5a * t_89 + cos_5a * t_100;                                                                // l=5 m=-5
     float c43 = c[43];
     float c41 = c[41];
     float v_6_1c = cos_g * c43 - sin_g * c41;
@@ -715,63 +715,63 @@ void rotate_quaternion_l10(float q[4], float c[121], out float result[121]) {
     float v_6_6c = cos_6g * c48 - sin_6g * c36;
     float v_6_6s = sin_6g * c48 + cos_6g * c36;
     float c42 = c[42];
-    float t_102 = v_6_6c - k_51 * c42 - k_52 * v_6_2c - k_53 * v_6_4c;
-    float t_103 = v_6_4c - k_54 * c42 - k_55 * v_6_2c - k_56 * v_6_6c;
-    float t_104 = v_6_2c - k_29 * c42 - k_57 * v_6_4c + k_58 * v_6_6c;
-    float t_105 = k_53 * v_6_1c + k_59 * v_6_3c + v_6_5c;
-    float t_106 = k_60 * v_6_1c + v_6_3c - k_61 * v_6_5c;
-    float t_107 = v_6_1c - k_62 * v_6_3c + k_63 * v_6_5c;
-    float t_108 = k_65 * t_19;
-    float p_6_2 = k_64 * t_17 * t_102 - t_108 * t_105;
-    float q_6_2 = k_66 * cos_2b * t_105 - t_108 * t_102;
-    float t_109 = k_68 * t_24;
-    float p_6_4 = k_67 * t_23 * t_103 - t_109 * t_106;
-    float q_6_4 = k_69 * cos_4b * t_106 - t_109 * t_103;
-    float t_110 = k_71 * t_29;
-    float p_6_6 = k_70 * t_28 * t_104 - t_110 * t_107;
-    float q_6_6 = k_72 * cos_6b * t_107 - t_110 * t_104;
+    float t_103 = v_6_6c - k_51 * c42 - k_52 * v_6_2c - k_53 * v_6_4c;
+    float t_104 = v_6_4c - k_54 * c42 - k_55 * v_6_2c - k_56 * v_6_6c;
+    float t_105 = v_6_2c - k_29 * c42 - k_57 * v_6_4c + k_58 * v_6_6c;
+    float t_106 = k_53 * v_6_1c + k_59 * v_6_3c + v_6_5c;
+    float t_107 = k_60 * v_6_1c + v_6_3c - k_61 * v_6_5c;
+    float t_108 = v_6_1c - k_62 * v_6_3c + k_63 * v_6_5c;
+    float t_109 = k_65 * t_20;
+    float p_6_2 = k_64 * t_18 * t_103 - t_109 * t_106;
+    float q_6_2 = k_66 * cos_2b * t_106 - t_109 * t_103;
+    float t_110 = k_68 * t_25;
+    float p_6_4 = k_67 * t_24 * t_104 - t_110 * t_107;
+    float q_6_4 = k_69 * cos_4b * t_107 - t_110 * t_104;
+    float t_111 = k_71 * t_30;
+    float p_6_6 = k_70 * t_29 * t_105 - t_111 * t_108;
+    float q_6_6 = k_72 * cos_6b * t_108 - t_111 * t_105;
     result[42] = c42 + (k_51 * p_6_2 + k_54 * p_6_4 + k_29 * p_6_6);                                            // l=6 m=0
-    float t_111 = v_6_2c - (p_6_6 - k_52 * p_6_2 - k_55 * p_6_4);
-    float t_112 = v_6_4c - (p_6_4 - k_53 * p_6_2 - k_57 * p_6_6);
-    float t_113 = v_6_6c - (p_6_2 - k_56 * p_6_4 + k_58 * p_6_6);
-    float t_114 = k_53 * q_6_2 + k_60 * q_6_4 + q_6_6;
-    float t_115 = k_59 * q_6_2 + q_6_4 - k_62 * q_6_6;
-    float t_116 = q_6_2 - k_61 * q_6_4 + k_63 * q_6_6;
-    float t_117 = k_73 * v_6_2s + k_74 * v_6_4s + v_6_6s;
-    float t_118 = k_75 * v_6_2s + v_6_4s - k_76 * v_6_6s;
-    float t_119 = v_6_2s - k_77 * v_6_4s + k_78 * v_6_6s;
-    float t_120 = v_6_3s - k_60 * v_6_1s + k_61 * v_6_5s;
-    float t_121 = v_6_1s + k_79 * t_120;
-    float t_122 = v_6_3s - k_8 * t_120;
-    float t_123 = v_6_5s - k_80 * t_120;
-    float t_124 = k_81 * sin_b;
-    float p_6_1 = k_72 * cos_b * t_117 + t_124 * t_121;
-    float q_6_1 = t_124 * t_117 - cos_b * t_121;
-    float t_125 = k_82 * sin_3b;
-    float p_6_3 = k_69 * cos_3b * t_118 + t_125 * t_122;
-    float q_6_3 = t_125 * t_118 - cos_3b * t_122;
-    float t_126 = k_80 * sin_5b;
-    float p_6_5 = k_66 * cos_5b * t_119 + t_126 * t_123;
-    float q_6_5 = t_126 * t_119 - cos_5b * t_123;
-    float t_127 = k_73 * p_6_1 + k_75 * p_6_3 + p_6_5;
-    float t_128 = k_74 * p_6_1 + p_6_3 - k_77 * p_6_5;
-    float t_129 = p_6_1 - k_76 * p_6_3 + k_78 * p_6_5;
-    float t_130 = q_6_3 - k_60 * q_6_1 + k_61 * q_6_5;
-    float t_131 = q_6_1 + k_79 * t_130;
-    float t_132 = q_6_3 - k_8 * t_130;
-    float t_133 = q_6_5 - k_80 * t_130;
-    result[43] = cos_a * t_114 + sin_a * t_131;                                                                 // l=6 m=1
-    result[41] = sin_a * t_114 - cos_a * t_131;                                                                 // l=6 m=-1
-    result[44] = cos_2a * t_111 - sin_2a * t_127;                                                               // l=6 m=2
-    result[40] = sin_2a * t_111 + cos_2a * t_127;                                                               // l=6 m=-2
-    result[45] = cos_3a * t_115 + sin_3a * t_132;                                                               // l=6 m=3
-    result[39] = sin_3a * t_115 - cos_3a * t_132;                                                               // l=6 m=-3
-    result[46] = cos_4a * t_112 - sin_4a * t_128;                                                               // l=6 m=4
-    result[38] = sin_4a * t_112 + cos_4a * t_128;                                                               // l=6 m=-4
-    result[47] = cos_5a * t_116 + sin_5a * t_133;                                                               // l=6 m=5
-    result[37] = sin_5a * t_116 - cos_5a * t_133;                                                               // l=6 m=-5
-    result[48] = cos_6a * t_113 - sin_6a * t_129;                                                               // l=6 m=6
-    result[36] = sin_6a * t_113 + cos_6a * t_129;                                                               // l=6 m=-6
+    float t_112 = v_6_2c - (p_6_6 - k_52 * p_6_2 - k_55 * p_6_4);
+    float t_113 = v_6_4c - (p_6_4 - k_53 * p_6_2 - k_57 * p_6_6);
+    float t_114 = v_6_6c - (p_6_2 - k_56 * p_6_4 + k_58 * p_6_6);
+    float t_115 = k_53 * q_6_2 + k_60 * q_6_4 + q_6_6;
+    float t_116 = k_59 * q_6_2 + q_6_4 - k_62 * q_6_6;
+    float t_117 = q_6_2 - k_61 * q_6_4 + k_63 * q_6_6;
+    float t_118 = k_73 * v_6_2s + k_74 * v_6_4s + v_6_6s;
+    float t_119 = k_75 * v_6_2s + v_6_4s - k_76 * v_6_6s;
+    float t_120 = v_6_2s - k_77 * v_6_4s + k_78 * v_6_6s;
+    float t_121 = v_6_3s - k_60 * v_6_1s + k_61 * v_6_5s;
+    float t_122 = v_6_1s + k_79 * t_121;
+    float t_123 = v_6_3s - k_8 * t_121;
+    float t_124 = v_6_5s - k_80 * t_121;
+    float t_125 = k_81 * sin_b;
+    float p_6_1 = k_72 * cos_b * t_118 + t_125 * t_122;
+    float q_6_1 = t_125 * t_118 - cos_b * t_122;
+    float t_126 = k_82 * sin_3b;
+    float p_6_3 = k_69 * cos_3b * t_119 + t_126 * t_123;
+    float q_6_3 = t_126 * t_119 - cos_3b * t_123;
+    float t_127 = k_80 * sin_5b;
+    float p_6_5 = k_66 * cos_5b * t_120 + t_127 * t_124;
+    float q_6_5 = t_127 * t_120 - cos_5b * t_124;
+    float t_128 = k_73 * p_6_1 + k_75 * p_6_3 + p_6_5;
+    float t_129 = k_74 * p_6_1 + p_6_3 - k_77 * p_6_5;
+    float t_130 = p_6_1 - k_76 * p_6_3 + k_78 * p_6_5;
+    float t_131 = q_6_3 - k_60 * q_6_1 + k_61 * q_6_5;
+    float t_132 = q_6_1 + k_79 * t_131;
+    float t_133 = q_6_3 - k_8 * t_131;
+    float t_134 = q_6_5 - k_80 * t_131;
+    result[43] = cos_a * t_115 + sin_a * t_132;                                                                 // l=6 m=1
+    result[41] = sin_a * t_115 - cos_a * t_132;                                                                 // l=6 m=-1
+    result[44] = cos_2a * t_112 - sin_2a * t_128;                                                               // l=6 m=2
+    result[40] = sin_2a * t_112 + cos_2a * t_128;                                                               // l=6 m=-2
+    result[45] = cos_3a * t_116 + sin_3a * t_133;                                                               // l=6 m=3
+    result[39] = sin_3a * t_116 - cos_3a * t_133;                                                               // l=6 m=-3
+    result[46] = cos_4a * t_113 - sin_4a * t_129;                                                               // l=6 m=4
+    result[38] = sin_4a * t_113 + cos_4a * t_129;                                                               // l=6 m=-4
+    result[47] = cos_5a * t_117 + sin_5a * t_134;                                                               // l=6 m=5
+    result[37] = sin_5a * t_117 - cos_5a * t_134;                                                               // l=6 m=-5
+    result[48] = cos_6a * t_114 - sin_6a * t_130;                                                               // l=6 m=6
+    result[36] = sin_6a * t_114 + cos_6a * t_130;                                                               // l=6 m=-6
     float c57 = c[57];
     float c55 = c[55];
     float v_7_1c = cos_g * c57 - sin_g * c55;
@@ -800,79 +800,79 @@ void rotate_quaternion_l10(float q[4], float c[121], out float result[121]) {
     float c49 = c[49];
     float v_7_7c = cos_7g * c63 - sin_7g * c49;
     float v_7_7s = sin_7g * c63 + cos_7g * c49;
-    float t_134 = v_7_1c + k_83 * v_7_5c + k_84 * v_7_7c;
-    float t_135 = v_7_3c + k_85 * v_7_5c - k_86 * v_7_7c;
-    float t_136 = v_7_1c - k_87 * t_134 - k_88 * t_135;
-    float t_137 = v_7_3c - k_88 * t_134 - k_89 * t_135;
-    float t_138 = v_7_5c - k_90 * t_134 - k_91 * t_135;
-    float t_139 = v_7_7c - k_92 * t_134 + k_93 * t_135;
+    float t_135 = v_7_1c + k_83 * v_7_5c + k_84 * v_7_7c;
+    float t_136 = v_7_3c + k_85 * v_7_5c - k_86 * v_7_7c;
+    float t_137 = v_7_1c - k_87 * t_135 - k_88 * t_136;
+    float t_138 = v_7_3c - k_88 * t_135 - k_89 * t_136;
+    float t_139 = v_7_5c - k_90 * t_135 - k_91 * t_136;
+    float t_140 = v_7_7c - k_92 * t_135 + k_93 * t_136;
     float c56 = c[56];
-    float t_140 = k_45 * c56 + v_7_2c + k_94 * v_7_4c + k_95 * v_7_6c;
-    float t_141 = k_98 * v_7_4c - k_96 * c56 - k_97 * v_7_2c + v_7_6c;
-    float t_142 = v_7_4c - k_99 * c56 - k_100 * v_7_2c - k_101 * v_7_6c;
-    float t_143 = v_7_2c - k_102 * c56 - k_103 * v_7_4c + k_104 * v_7_6c;
-    float t_144 = k_105 * sin_b;
-    float p_7_1 = cos_b * t_136 - t_144 * t_140;
-    float q_7_1 = t_144 * t_136 + k_106 * cos_b * t_140;
-    float t_145 = k_107 * sin_3b;
-    float p_7_3 = cos_3b * t_137 + t_145 * t_141;
-    float q_7_3 = k_108 * cos_3b * t_141 - t_145 * t_137;
-    float t_146 = k_109 * sin_5b;
-    float p_7_5 = cos_5b * t_138 + t_146 * t_142;
-    float q_7_5 = k_110 * cos_5b * t_142 - t_146 * t_138;
-    float t_147 = k_111 * sin_7b;
-    float t_148 = k_112 * cos_7b;
-    float p_7_7 = cos_7b * t_139 + t_147 * t_143;
-    float q_7_7 = t_148 * t_143 - t_147 * t_139;
-    float t_149 = p_7_1 + k_83 * p_7_5 + k_84 * p_7_7;
-    float t_150 = p_7_3 + k_85 * p_7_5 - k_86 * p_7_7;
-    float t_151 = p_7_1 - k_87 * t_149 - k_88 * t_150;
-    float t_152 = p_7_3 - k_88 * t_149 - k_89 * t_150;
-    float t_153 = p_7_5 - k_90 * t_149 - k_91 * t_150;
-    float t_154 = p_7_7 - k_92 * t_149 + k_93 * t_150;
+    float t_141 = k_45 * c56 + v_7_2c + k_94 * v_7_4c + k_95 * v_7_6c;
+    float t_142 = k_98 * v_7_4c - k_96 * c56 - k_97 * v_7_2c + v_7_6c;
+    float t_143 = v_7_4c - k_99 * c56 - k_100 * v_7_2c - k_101 * v_7_6c;
+    float t_144 = v_7_2c - k_102 * c56 - k_103 * v_7_4c + k_104 * v_7_6c;
+    float t_145 = k_105 * sin_b;
+    float p_7_1 = cos_b * t_137 - t_145 * t_141;
+    float q_7_1 = t_145 * t_137 + k_106 * cos_b * t_141;
+    float t_146 = k_107 * sin_3b;
+    float p_7_3 = cos_3b * t_138 + t_146 * t_142;
+    float q_7_3 = k_108 * cos_3b * t_142 - t_146 * t_138;
+    float t_147 = k_109 * sin_5b;
+    float p_7_5 = cos_5b * t_139 + t_147 * t_143;
+    float q_7_5 = k_110 * cos_5b * t_143 - t_147 * t_139;
+    float t_148 = k_111 * sin_7b;
+    float t_149 = k_112 * cos_7b;
+    float p_7_7 = cos_7b * t_140 + t_148 * t_144;
+    float q_7_7 = t_149 * t_144 - t_148 * t_140;
+    float t_150 = p_7_1 + k_83 * p_7_5 + k_84 * p_7_7;
+    float t_151 = p_7_3 + k_85 * p_7_5 - k_86 * p_7_7;
+    float t_152 = p_7_1 - k_87 * t_150 - k_88 * t_151;
+    float t_153 = p_7_3 - k_88 * t_150 - k_89 * t_151;
+    float t_154 = p_7_5 - k_90 * t_150 - k_91 * t_151;
+    float t_155 = p_7_7 - k_92 * t_150 + k_93 * t_151;
     result[56] = k_45 * q_7_1 - k_96 * q_7_3 - k_99 * q_7_5 - k_102 * q_7_7;                                    // l=7 m=0
-    float t_155 = q_7_1 - k_97 * q_7_3 - k_100 * q_7_5 + q_7_7;
-    float t_156 = k_94 * q_7_1 + k_98 * q_7_3 + q_7_5 - k_103 * q_7_7;
-    float t_157 = k_95 * q_7_1 + q_7_3 - k_101 * q_7_5 + k_104 * q_7_7;
-    float t_158 = v_7_7s - k_113 * v_7_1s - k_114 * v_7_3s - k_115 * v_7_5s;
-    float t_159 = k_117 * v_7_3s - k_116 * v_7_1s + v_7_5s - k_118 * v_7_7s;
-    float t_160 = v_7_3s - k_3 * v_7_1s - k_119 * v_7_5s + k_120 * v_7_7s;
-    float t_161 = k_122 * v_7_4s - k_121 * v_7_2s + v_7_6s;
-    float t_162 = v_7_2s + k_123 * t_161;
-    float t_163 = v_7_4s - k_124 * t_161;
-    float t_164 = v_7_6s - k_125 * t_161;
-    float t_165 = k_126 * t_17;
-    float t_166 = k_127 * t_19;
-    float p_7_2 = t_165 * t_158 - t_166 * t_162;
-    float q_7_2 = t_166 * t_158 - cos_2b * t_162;
-    float t_167 = k_129 * t_24;
-    float p_7_4 = k_128 * t_23 * t_159 - t_167 * t_163;
-    float q_7_4 = t_167 * t_159 - cos_4b * t_163;
-    float t_168 = k_131 * t_29;
-    float p_7_6 = k_130 * t_28 * t_160 - t_168 * t_164;
-    float q_7_6 = t_168 * t_160 - cos_6b * t_164;
-    float t_169 = v_7_1s + (k_113 * p_7_2 + k_116 * p_7_4 + k_3 * p_7_6);
-    float t_170 = v_7_3s - (k_117 * p_7_4 - k_114 * p_7_2 + p_7_6);
-    float t_171 = v_7_5s - (p_7_4 - k_115 * p_7_2 - k_119 * p_7_6);
-    float t_172 = v_7_7s - (p_7_2 - k_118 * p_7_4 + k_120 * p_7_6);
-    float t_173 = k_122 * q_7_4 - k_121 * q_7_2 + q_7_6;
-    float t_174 = q_7_2 + k_123 * t_173;
-    float t_175 = q_7_4 - k_124 * t_173;
-    float t_176 = q_7_6 - k_125 * t_173;
-    result[57] = cos_a * t_151 - sin_a * t_169;                                                                 // l=7 m=1
-    result[55] = sin_a * t_151 + cos_a * t_169;                                                                 // l=7 m=-1
-    result[58] = cos_2a * t_155 + sin_2a * t_174;                                                               // l=7 m=2
-    result[54] = sin_2a * t_155 - cos_2a * t_174;                                                               // l=7 m=-2
-    result[59] = cos_3a * t_152 - sin_3a * t_170;                                                               // l=7 m=3
-    result[53] = sin_3a * t_152 + cos_3a * t_170;                                                               // l=7 m=-3
-    result[60] = cos_4a * t_156 + sin_4a * t_175;                                                               // l=7 m=4
-    result[52] = sin_4a * t_156 - cos_4a * t_175;                                                               // l=7 m=-4
-    result[61] = cos_5a * t_153 - sin_5a * t_171;                                                               // l=7 m=5
-    result[51] = sin_5a * t_153 + cos_5a * t_171;                                                               // l=7 m=-5
-    result[62] = cos_6a * t_157 + sin_6a * t_176;                                                               // l=7 m=6
-    result[50] = sin_6a * t_157 - cos_6a * t_176;                                                               // l=7 m=-6
-    result[63] = cos_7a * t_154 - sin_7a * t_172;                                                               // l=7 m=7
-    result[49] = sin_7a * t_154 + cos_7a * t_172;                                                               // l=7 m=-7
+    float t_156 = q_7_1 - k_97 * q_7_3 - k_100 * q_7_5 + q_7_7;
+    float t_157 = k_94 * q_7_1 + k_98 * q_7_3 + q_7_5 - k_103 * q_7_7;
+    float t_158 = k_95 * q_7_1 + q_7_3 - k_101 * q_7_5 + k_104 * q_7_7;
+    float t_159 = v_7_7s - k_113 * v_7_1s - k_114 * v_7_3s - k_115 * v_7_5s;
+    float t_160 = k_117 * v_7_3s - k_116 * v_7_1s + v_7_5s - k_118 * v_7_7s;
+    float t_161 = v_7_3s - k_3 * v_7_1s - k_119 * v_7_5s + k_120 * v_7_7s;
+    float t_162 = k_122 * v_7_4s - k_121 * v_7_2s + v_7_6s;
+    float t_163 = v_7_2s + k_123 * t_162;
+    float t_164 = v_7_4s - k_124 * t_162;
+    float t_165 = v_7_6s - k_125 * t_162;
+    float t_166 = k_126 * t_18;
+    float t_167 = k_127 * t_20;
+    float p_7_2 = t_166 * t_159 - t_167 * t_163;
+    float q_7_2 = t_167 * t_159 - cos_2b * t_163;
+    float t_168 = k_129 * t_25;
+    float p_7_4 = k_128 * t_24 * t_160 - t_168 * t_164;
+    float q_7_4 = t_168 * t_160 - cos_4b * t_164;
+    float t_169 = k_131 * t_30;
+    float p_7_6 = k_130 * t_29 * t_161 - t_169 * t_165;
+    float q_7_6 = t_169 * t_161 - cos_6b * t_165;
+    float t_170 = v_7_1s + (k_113 * p_7_2 + k_116 * p_7_4 + k_3 * p_7_6);
+    float t_171 = v_7_3s - (k_117 * p_7_4 - k_114 * p_7_2 + p_7_6);
+    float t_172 = v_7_5s - (p_7_4 - k_115 * p_7_2 - k_119 * p_7_6);
+    float t_173 = v_7_7s - (p_7_2 - k_118 * p_7_4 + k_120 * p_7_6);
+    float t_174 = k_122 * q_7_4 - k_121 * q_7_2 + q_7_6;
+    float t_175 = q_7_2 + k_123 * t_174;
+    float t_176 = q_7_4 - k_124 * t_174;
+    float t_177 = q_7_6 - k_125 * t_174;
+    result[57] = cos_a * t_152 - sin_a * t_170;                                                                 // l=7 m=1
+    result[55] = sin_a * t_152 + cos_a * t_170;                                                                 // l=7 m=-1
+    result[58] = cos_2a * t_156 + sin_2a * t_175;                                                               // l=7 m=2
+    result[54] = sin_2a * t_156 - cos_2a * t_175;                                                               // l=7 m=-2
+    result[59] = cos_3a * t_153 - sin_3a * t_171;                                                               // l=7 m=3
+    result[53] = sin_3a * t_153 + cos_3a * t_171;                                                               // l=7 m=-3
+    result[60] = cos_4a * t_157 + sin_4a * t_176;                                                               // l=7 m=4
+    result[52] = sin_4a * t_157 - cos_4a * t_176;                                                               // l=7 m=-4
+    result[61] = cos_5a * t_154 - sin_5a * t_172;                                                               // l=7 m=5
+    result[51] = sin_5a * t_154 + cos_5a * t_172;                                                               // l=7 m=-5
+    result[62] = cos_6a * t_158 + sin_6a * t_177;                                                               // l=7 m=6
+    result[50] = sin_6a * t_158 - cos_6a * t_177;                                                               // l=7 m=-6
+    result[63] = cos_7a * t_155 - sin_7a * t_173;                                                               // l=7 m=7
+    result[49] = sin_7a * t_155 + cos_7a * t_173;                                                               // l=7 m=-7
     float c73 = c[73];
     float c71 = c[71];
     float v_8_1c = cos_g * c73 - sin_g * c71;
@@ -906,82 +906,82 @@ void rotate_quaternion_l10(float q[4], float c[121], out float result[121]) {
     float v_8_8c = cos_8g * c80 - sin_8g * c64;
     float v_8_8s = sin_8g * c80 + cos_8g * c64;
     float c72 = c[72];
-    float t_177 = v_8_8c - k_132 * c72 - k_133 * v_8_2c - k_134 * v_8_4c;
-    float t_178 = k_137 * v_8_4c - k_135 * c72 - k_136 * v_8_2c + v_8_6c - k_138 * v_8_8c;
-    float t_179 = v_8_4c - k_139 * c72 - k_140 * v_8_6c + k_141 * v_8_8c;
-    float t_180 = v_8_2c - k_142 * c72 - k_143 * v_8_4c + k_144 * v_8_6c - k_145 * v_8_8c;
-    float t_181 = k_146 * v_8_1c + k_147 * v_8_3c + k_13 * v_8_5c + v_8_7c;
-    float t_182 = v_8_7c - k_148 * v_8_1c - k_149 * v_8_3c - k_150 * v_8_5c;
-    float t_183 = v_8_5c - k_151 * v_8_1c - k_152 * v_8_3c - k_153 * v_8_7c;
-    float t_184 = v_8_1c - k_154 * v_8_3c + k_155 * v_8_5c - k_156 * v_8_7c;
-    float t_185 = k_157 * t_19;
-    float p_8_2 = t_165 * t_177 - t_185 * t_181;
-    float q_8_2 = k_112 * cos_2b * t_181 - t_185 * t_177;
-    float t_186 = k_159 * t_24;
-    float p_8_4 = k_158 * t_23 * t_178 + t_186 * t_182;
-    float q_8_4 = t_186 * t_178 + k_160 * cos_4b * t_182;
-    float t_187 = k_162 * t_29;
-    float p_8_6 = k_161 * t_28 * t_179 + t_187 * t_183;
-    float q_8_6 = t_187 * t_179 + k_163 * cos_6b * t_183;
-    float t_188 = k_165 * t_34;
-    float p_8_8 = k_164 * t_33 * t_180 - t_188 * t_184;
-    float q_8_8 = k_166 * cos_8b * t_184 - t_188 * t_180;
+    float t_178 = v_8_8c - k_132 * c72 - k_133 * v_8_2c - k_134 * v_8_4c;
+    float t_179 = k_137 * v_8_4c - k_135 * c72 - k_136 * v_8_2c + v_8_6c - k_138 * v_8_8c;
+    float t_180 = v_8_4c - k_139 * c72 - k_140 * v_8_6c + k_141 * v_8_8c;
+    float t_181 = v_8_2c - k_142 * c72 - k_143 * v_8_4c + k_144 * v_8_6c - k_145 * v_8_8c;
+    float t_182 = k_146 * v_8_1c + k_147 * v_8_3c + k_13 * v_8_5c + v_8_7c;
+    float t_183 = v_8_7c - k_148 * v_8_1c - k_149 * v_8_3c - k_150 * v_8_5c;
+    float t_184 = v_8_5c - k_151 * v_8_1c - k_152 * v_8_3c - k_153 * v_8_7c;
+    float t_185 = v_8_1c - k_154 * v_8_3c + k_155 * v_8_5c - k_156 * v_8_7c;
+    float t_186 = k_157 * t_20;
+    float p_8_2 = t_166 * t_178 - t_186 * t_182;
+    float q_8_2 = k_112 * cos_2b * t_182 - t_186 * t_178;
+    float t_187 = k_159 * t_25;
+    float p_8_4 = k_158 * t_24 * t_179 + t_187 * t_183;
+    float q_8_4 = t_187 * t_179 + k_160 * cos_4b * t_183;
+    float t_188 = k_162 * t_30;
+    float p_8_6 = k_161 * t_29 * t_180 + t_188 * t_184;
+    float q_8_6 = t_188 * t_180 + k_163 * cos_6b * t_184;
+    float t_189 = k_165 * t_35;
+    float p_8_8 = k_164 * t_34 * t_181 - t_189 * t_185;
+    float q_8_8 = k_166 * cos_8b * t_185 - t_189 * t_181;
     result[72] = c72 + (k_132 * p_8_2 + k_135 * p_8_4 + k_139 * p_8_6 + k_142 * p_8_8);                         // l=8 m=0
-    float t_189 = v_8_2c - (p_8_8 - k_133 * p_8_2 - k_136 * p_8_4);
-    float t_190 = v_8_4c - (k_137 * p_8_4 - k_134 * p_8_2 + p_8_6 - k_143 * p_8_8);
-    float t_191 = v_8_6c - (p_8_4 - k_140 * p_8_6 + k_144 * p_8_8);
-    float t_192 = v_8_8c - (p_8_2 - k_138 * p_8_4 + k_141 * p_8_6 - k_145 * p_8_8);
-    float t_193 = k_146 * q_8_2 - k_148 * q_8_4 - k_151 * q_8_6 + q_8_8;
-    float t_194 = k_147 * q_8_2 - k_149 * q_8_4 - k_152 * q_8_6 - k_154 * q_8_8;
-    float t_195 = k_13 * q_8_2 - k_150 * q_8_4 + q_8_6 + k_155 * q_8_8;
-    float t_196 = q_8_2 + q_8_4 - k_153 * q_8_6 - k_156 * q_8_8;
-    float t_197 = k_167 * v_8_2s + k_168 * v_8_4s + k_169 * v_8_6s + v_8_8s;
-    float t_198 = k_170 * v_8_2s + v_8_4s + k_171 * v_8_6s - k_172 * v_8_8s;
-    float t_199 = v_8_6s - k_173 * v_8_2s - k_174 * v_8_4s - k_175 * v_8_8s;
-    float t_200 = v_8_2s - k_176 * v_8_4s + k_177 * v_8_6s - k_178 * v_8_8s;
-    float t_201 = k_179 * v_8_3s - k_86 * v_8_1s + v_8_5s;
-    float t_202 = k_180 * v_8_3s - k_132 * v_8_1s + v_8_7s;
-    float t_203 = v_8_1s + k_93 * t_201 + k_181 * t_202;
-    float t_204 = v_8_3s - k_182 * t_201 - k_183 * t_202;
-    float t_205 = v_8_5s - k_184 * t_201 + k_185 * t_202;
-    float t_206 = v_8_7s + k_185 * t_201 - k_186 * t_202;
-    float t_207 = k_187 * sin_b;
-    float p_8_1 = k_166 * cos_b * t_197 + t_207 * t_203;
-    float q_8_1 = cos_b * t_203 - t_207 * t_197;
-    float t_208 = k_189 * sin_3b;
-    float p_8_3 = k_188 * cos_3b * t_198 + t_208 * t_204;
-    float q_8_3 = cos_3b * t_204 - t_208 * t_198;
-    float t_209 = k_190 * sin_5b;
-    float p_8_5 = k_163 * cos_5b * t_199 - t_209 * t_205;
-    float q_8_5 = t_209 * t_199 + cos_5b * t_205;
-    float p_8_7 = t_148 * t_200 + t_147 * t_206;
-    float q_8_7 = cos_7b * t_206 - t_147 * t_200;
-    float t_210 = k_167 * p_8_1 + k_170 * p_8_3 - k_173 * p_8_5 + p_8_7;
-    float t_211 = k_168 * p_8_1 + p_8_3 - k_174 * p_8_5 - k_176 * p_8_7;
-    float t_212 = k_169 * p_8_1 + k_171 * p_8_3 + p_8_5 + k_177 * p_8_7;
-    float t_213 = p_8_1 - k_172 * p_8_3 - k_175 * p_8_5 - k_178 * p_8_7;
-    float t_214 = k_179 * q_8_3 - k_86 * q_8_1 + q_8_5;
-    float t_215 = k_180 * q_8_3 - k_132 * q_8_1 + q_8_7;
-    float t_216 = q_8_1 + k_93 * t_214 + k_181 * t_215;
-    float t_217 = q_8_3 - k_182 * t_214 - k_183 * t_215;
-    float t_218 = q_8_5 - k_184 * t_214 + k_185 * t_215;
-    float t_219 = q_8_7 + k_185 * t_214 - k_186 * t_215;
-    result[73] = cos_a * t_193 - sin_a * t_216;                                                                 // l=8 m=1
-    result[71] = sin_a * t_193 + cos_a * t_216;                                                                 // l=8 m=-1
-    result[74] = cos_2a * t_189 - sin_2a * t_210;                                                               // l=8 m=2
-    result[70] = sin_2a * t_189 + cos_2a * t_210;                                                               // l=8 m=-2
-    result[75] = cos_3a * t_194 - sin_3a * t_217;                                                               // l=8 m=3
-    result[69] = sin_3a * t_194 + cos_3a * t_217;                                                               // l=8 m=-3
-    result[76] = cos_4a * t_190 - sin_4a * t_211;                                                               // l=8 m=4
-    result[68] = sin_4a * t_190 + cos_4a * t_211;                                                               // l=8 m=-4
-    result[77] = cos_5a * t_195 - sin_5a * t_218;                                                               // l=8 m=5
-    result[67] = sin_5a * t_195 + cos_5a * t_218;                                                               // l=8 m=-5
-    result[78] = cos_6a * t_191 - sin_6a * t_212;                                                               // l=8 m=6
-    result[66] = sin_6a * t_191 + cos_6a * t_212;                                                               // l=8 m=-6
-    result[79] = cos_7a * t_196 - sin_7a * t_219;                                                               // l=8 m=7
-    result[65] = sin_7a * t_196 + cos_7a * t_219;                                                               // l=8 m=-7
-    result[80] = cos_8a * t_192 - sin_8a * t_213;                                                               // l=8 m=8
-    result[64] = sin_8a * t_192 + cos_8a * t_213;                                                               // l=8 m=-8
+    float t_190 = v_8_2c - (p_8_8 - k_133 * p_8_2 - k_136 * p_8_4);
+    float t_191 = v_8_4c - (k_137 * p_8_4 - k_134 * p_8_2 + p_8_6 - k_143 * p_8_8);
+    float t_192 = v_8_6c - (p_8_4 - k_140 * p_8_6 + k_144 * p_8_8);
+    float t_193 = v_8_8c - (p_8_2 - k_138 * p_8_4 + k_141 * p_8_6 - k_145 * p_8_8);
+    float t_194 = k_146 * q_8_2 - k_148 * q_8_4 - k_151 * q_8_6 + q_8_8;
+    float t_195 = k_147 * q_8_2 - k_149 * q_8_4 - k_152 * q_8_6 - k_154 * q_8_8;
+    float t_196 = k_13 * q_8_2 - k_150 * q_8_4 + q_8_6 + k_155 * q_8_8;
+    float t_197 = q_8_2 + q_8_4 - k_153 * q_8_6 - k_156 * q_8_8;
+    float t_198 = k_167 * v_8_2s + k_168 * v_8_4s + k_169 * v_8_6s + v_8_8s;
+    float t_199 = k_170 * v_8_2s + v_8_4s + k_171 * v_8_6s - k_172 * v_8_8s;
+    float t_200 = v_8_6s - k_173 * v_8_2s - k_174 * v_8_4s - k_175 * v_8_8s;
+    float t_201 = v_8_2s - k_176 * v_8_4s + k_177 * v_8_6s - k_178 * v_8_8s;
+    float t_202 = k_179 * v_8_3s - k_86 * v_8_1s + v_8_5s;
+    float t_203 = k_180 * v_8_3s - k_132 * v_8_1s + v_8_7s;
+    float t_204 = v_8_1s + k_93 * t_202 + k_181 * t_203;
+    float t_205 = v_8_3s - k_182 * t_202 - k_183 * t_203;
+    float t_206 = v_8_5s - k_184 * t_202 + k_185 * t_203;
+    float t_207 = v_8_7s + k_185 * t_202 - k_186 * t_203;
+    float t_208 = k_187 * sin_b;
+    float p_8_1 = k_166 * cos_b * t_198 + t_208 * t_204;
+    float q_8_1 = cos_b * t_204 - t_208 * t_198;
+    float t_209 = k_189 * sin_3b;
+    float p_8_3 = k_188 * cos_3b * t_199 + t_209 * t_205;
+    float q_8_3 = cos_3b * t_205 - t_209 * t_199;
+    float t_210 = k_190 * sin_5b;
+    float p_8_5 = k_163 * cos_5b * t_200 - t_210 * t_206;
+    float q_8_5 = t_210 * t_200 + cos_5b * t_206;
+    float p_8_7 = t_149 * t_201 + t_148 * t_207;
+    float q_8_7 = cos_7b * t_207 - t_148 * t_201;
+    float t_211 = k_167 * p_8_1 + k_170 * p_8_3 - k_173 * p_8_5 + p_8_7;
+    float t_212 = k_168 * p_8_1 + p_8_3 - k_174 * p_8_5 - k_176 * p_8_7;
+    float t_213 = k_169 * p_8_1 + k_171 * p_8_3 + p_8_5 + k_177 * p_8_7;
+    float t_214 = p_8_1 - k_172 * p_8_3 - k_175 * p_8_5 - k_178 * p_8_7;
+    float t_215 = k_179 * q_8_3 - k_86 * q_8_1 + q_8_5;
+    float t_216 = k_180 * q_8_3 - k_132 * q_8_1 + q_8_7;
+    float t_217 = q_8_1 + k_93 * t_215 + k_181 * t_216;
+    float t_218 = q_8_3 - k_182 * t_215 - k_183 * t_216;
+    float t_219 = q_8_5 - k_184 * t_215 + k_185 * t_216;
+    float t_220 = q_8_7 + k_185 * t_215 - k_186 * t_216;
+    result[73] = cos_a * t_194 - sin_a * t_217;                                                                 // l=8 m=1
+    result[71] = sin_a * t_194 + cos_a * t_217;                                                                 // l=8 m=-1
+    result[74] = cos_2a * t_190 - sin_2a * t_211;                                                               // l=8 m=2
+    result[70] = sin_2a * t_190 + cos_2a * t_211;                                                               // l=8 m=-2
+    result[75] = cos_3a * t_195 - sin_3a * t_218;                                                               // l=8 m=3
+    result[69] = sin_3a * t_195 + cos_3a * t_218;                                                               // l=8 m=-3
+    result[76] = cos_4a * t_191 - sin_4a * t_212;                                                               // l=8 m=4
+    result[68] = sin_4a * t_191 + cos_4a * t_212;                                                               // l=8 m=-4
+    result[77] = cos_5a * t_196 - sin_5a * t_219;                                                               // l=8 m=5
+    result[67] = sin_5a * t_196 + cos_5a * t_219;                                                               // l=8 m=-5
+    result[78] = cos_6a * t_192 - sin_6a * t_213;                                                               // l=8 m=6
+    result[66] = sin_6a * t_192 + cos_6a * t_213;                                                               // l=8 m=-6
+    result[79] = cos_7a * t_197 - sin_7a * t_220;                                                               // l=8 m=7
+    result[65] = sin_7a * t_197 + cos_7a * t_220;                                                               // l=8 m=-7
+    result[80] = cos_8a * t_193 - sin_8a * t_214;                                                               // l=8 m=8
+    result[64] = sin_8a * t_193 + cos_8a * t_214;                                                               // l=8 m=-8
     float c91 = c[91];
     float c89 = c[89];
     float v_9_1c = cos_g * c91 - sin_g * c89;
@@ -1018,97 +1018,97 @@ void rotate_quaternion_l10(float q[4], float c[121], out float result[121]) {
     float c81 = c[81];
     float v_9_9c = cos_9g * c99 - sin_9g * c81;
     float v_9_9s = sin_9g * c99 + cos_9g * c81;
-    float t_220 = v_9_5c - k_191 * v_9_1c - k_192 * v_9_3c + k_15 * v_9_7c;
-    float t_221 = k_194 * v_9_3c - k_193 * v_9_1c + k_195 * v_9_7c + v_9_9c;
-    float t_222 = v_9_1c + k_196 * t_220 + k_197 * t_221;
-    float t_223 = v_9_3c + k_198 * t_220 - k_199 * t_221;
-    float t_224 = v_9_5c - k_200 * t_220 + k_201 * t_221;
-    float t_225 = v_9_7c - k_202 * t_220 - k_203 * t_221;
-    float t_226 = v_9_9c + k_201 * t_220 - k_204 * t_221;
+    float t_221 = v_9_5c - k_191 * v_9_1c - k_192 * v_9_3c + k_15 * v_9_7c;
+    float t_222 = k_194 * v_9_3c - k_193 * v_9_1c + k_195 * v_9_7c + v_9_9c;
+    float t_223 = v_9_1c + k_196 * t_221 + k_197 * t_222;
+    float t_224 = v_9_3c + k_198 * t_221 - k_199 * t_222;
+    float t_225 = v_9_5c - k_200 * t_221 + k_201 * t_222;
+    float t_226 = v_9_7c - k_202 * t_221 - k_203 * t_222;
+    float t_227 = v_9_9c + k_201 * t_221 - k_204 * t_222;
     float c90 = c[90];
-    float t_227 = k_205 * c90 + v_9_2c + k_206 * v_9_4c + k_207 * v_9_6c + k_208 * v_9_8c;
-    float t_228 = k_212 * v_9_6c - k_209 * c90 - k_210 * v_9_2c - k_211 * v_9_4c + v_9_8c;
-    float t_229 = k_215 * v_9_4c - k_213 * c90 - k_214 * v_9_2c + v_9_6c - k_216 * v_9_8c;
-    float t_230 = k_218 * v_9_2c - k_217 * c90 + v_9_4c - k_219 * v_9_6c + k_220 * v_9_8c;
-    float t_231 = v_9_2c - k_221 * c90 - k_222 * v_9_4c + k_223 * v_9_6c - k_224 * v_9_8c;
-    float t_232 = k_225 * sin_b;
-    float p_9_1 = cos_b * t_222 + t_232 * t_227;
-    float q_9_1 = k_226 * cos_b * t_227 - t_232 * t_222;
-    float t_233 = k_227 * sin_3b;
-    float p_9_3 = cos_3b * t_223 - t_233 * t_228;
-    float q_9_3 = t_233 * t_223 + k_228 * cos_3b * t_228;
-    float t_234 = k_189 * sin_5b;
-    float p_9_5 = cos_5b * t_224 - t_234 * t_229;
-    float q_9_5 = t_234 * t_224 + k_188 * cos_5b * t_229;
-    float t_235 = k_229 * sin_7b;
-    float p_9_7 = cos_7b * t_225 - t_235 * t_230;
-    float q_9_7 = t_235 * t_225 + k_230 * cos_7b * t_230;
-    float t_236 = k_231 * sin_9b;
-    float p_9_9 = cos_9b * t_226 - t_236 * t_231;
-    float q_9_9 = t_236 * t_226 + k_232 * cos_9b * t_231;
-    float t_237 = p_9_5 - k_191 * p_9_1 - k_192 * p_9_3 + k_15 * p_9_7;
-    float t_238 = k_194 * p_9_3 - k_193 * p_9_1 + k_195 * p_9_7 + p_9_9;
-    float t_239 = p_9_1 + k_196 * t_237 + k_197 * t_238;
-    float t_240 = p_9_3 + k_198 * t_237 - k_199 * t_238;
-    float t_241 = p_9_5 - k_200 * t_237 + k_201 * t_238;
-    float t_242 = p_9_7 - k_202 * t_237 - k_203 * t_238;
-    float t_243 = p_9_9 + k_201 * t_237 - k_204 * t_238;
+    float t_228 = k_205 * c90 + v_9_2c + k_206 * v_9_4c + k_207 * v_9_6c + k_208 * v_9_8c;
+    float t_229 = k_212 * v_9_6c - k_209 * c90 - k_210 * v_9_2c - k_211 * v_9_4c + v_9_8c;
+    float t_230 = k_215 * v_9_4c - k_213 * c90 - k_214 * v_9_2c + v_9_6c - k_216 * v_9_8c;
+    float t_231 = k_218 * v_9_2c - k_217 * c90 + v_9_4c - k_219 * v_9_6c + k_220 * v_9_8c;
+    float t_232 = v_9_2c - k_221 * c90 - k_222 * v_9_4c + k_223 * v_9_6c - k_224 * v_9_8c;
+    float t_233 = k_225 * sin_b;
+    float p_9_1 = cos_b * t_223 + t_233 * t_228;
+    float q_9_1 = k_226 * cos_b * t_228 - t_233 * t_223;
+    float t_234 = k_227 * sin_3b;
+    float p_9_3 = cos_3b * t_224 - t_234 * t_229;
+    float q_9_3 = t_234 * t_224 + k_228 * cos_3b * t_229;
+    float t_235 = k_189 * sin_5b;
+    float p_9_5 = cos_5b * t_225 - t_235 * t_230;
+    float q_9_5 = t_235 * t_225 + k_188 * cos_5b * t_230;
+    float t_236 = k_229 * sin_7b;
+    float p_9_7 = cos_7b * t_226 - t_236 * t_231;
+    float q_9_7 = t_236 * t_226 + k_230 * cos_7b * t_231;
+    float t_237 = k_231 * sin_9b;
+    float p_9_9 = cos_9b * t_227 - t_237 * t_232;
+    float q_9_9 = t_237 * t_227 + k_232 * cos_9b * t_232;
+    float t_238 = p_9_5 - k_191 * p_9_1 - k_192 * p_9_3 + k_15 * p_9_7;
+    float t_239 = k_194 * p_9_3 - k_193 * p_9_1 + k_195 * p_9_7 + p_9_9;
+    float t_240 = p_9_1 + k_196 * t_238 + k_197 * t_239;
+    float t_241 = p_9_3 + k_198 * t_238 - k_199 * t_239;
+    float t_242 = p_9_5 - k_200 * t_238 + k_201 * t_239;
+    float t_243 = p_9_7 - k_202 * t_238 - k_203 * t_239;
+    float t_244 = p_9_9 + k_201 * t_238 - k_204 * t_239;
     result[90] = k_205 * q_9_1 - k_209 * q_9_3 - k_213 * q_9_5 - k_217 * q_9_7 - k_221 * q_9_9;                 // l=9 m=0
-    float t_244 = q_9_1 - k_210 * q_9_3 - k_214 * q_9_5 + k_218 * q_9_7 + q_9_9;
-    float t_245 = k_206 * q_9_1 - k_211 * q_9_3 + k_215 * q_9_5 + q_9_7 - k_222 * q_9_9;
-    float t_246 = k_207 * q_9_1 + k_212 * q_9_3 + q_9_5 - k_219 * q_9_7 + k_223 * q_9_9;
-    float t_247 = k_208 * q_9_1 + q_9_3 - k_216 * q_9_5 + k_220 * q_9_7 - k_224 * q_9_9;
-    float t_248 = k_236 * v_9_7s - k_233 * v_9_1s - k_234 * v_9_3s - k_235 * v_9_5s + v_9_9s;
-    float t_249 = k_239 * v_9_5s - k_237 * v_9_1s - k_238 * v_9_3s + v_9_7s - k_240 * v_9_9s;
-    float t_250 = k_242 * v_9_3s - k_241 * v_9_1s + v_9_5s - k_243 * v_9_7s + k_244 * v_9_9s;
-    float t_251 = v_9_3s - k_245 * v_9_1s - k_246 * v_9_5s + k_247 * v_9_7s - k_248 * v_9_9s;
-    float t_252 = v_9_6s - k_249 * v_9_2s;
-    float t_253 = k_251 * v_9_4s - k_250 * v_9_2s + v_9_8s;
-    float t_254 = v_9_2s + k_252 * t_252 + k_253 * t_253;
-    float t_255 = v_9_4s + k_254 * t_252 - k_255 * t_253;
-    float t_256 = v_9_6s - k_256 * t_252 + k_257 * t_253;
-    float t_257 = v_9_8s + k_257 * t_252 - k_258 * t_253;
-    float t_258 = k_260 * t_19;
-    float p_9_2 = k_259 * t_17 * t_248 - t_258 * t_254;
-    float q_9_2 = cos_2b * t_254 - t_258 * t_248;
-    float t_259 = k_262 * t_24;
-    float p_9_4 = k_261 * t_23 * t_249 - t_259 * t_255;
-    float q_9_4 = cos_4b * t_255 - t_259 * t_249;
-    float t_260 = k_264 * t_29;
-    float p_9_6 = k_263 * t_28 * t_250 - t_260 * t_256;
-    float q_9_6 = cos_6b * t_256 - t_260 * t_250;
-    float t_261 = k_266 * t_34;
-    float p_9_8 = k_265 * t_33 * t_251 - t_261 * t_257;
-    float q_9_8 = cos_8b * t_257 - t_261 * t_251;
-    float t_262 = v_9_1s + (k_233 * p_9_2 + k_237 * p_9_4 + k_241 * p_9_6 + k_245 * p_9_8);
-    float t_263 = v_9_3s - (k_242 * p_9_6 - k_234 * p_9_2 - k_238 * p_9_4 + p_9_8);
-    float t_264 = v_9_5s - (k_239 * p_9_4 - k_235 * p_9_2 + p_9_6 - k_246 * p_9_8);
-    float t_265 = v_9_7s - (k_236 * p_9_2 + p_9_4 - k_243 * p_9_6 + k_247 * p_9_8);
-    float t_266 = v_9_9s - (p_9_2 - k_240 * p_9_4 + k_244 * p_9_6 - k_248 * p_9_8);
-    float t_267 = q_9_6 - k_249 * q_9_2;
-    float t_268 = k_251 * q_9_4 - k_250 * q_9_2 + q_9_8;
-    float t_269 = q_9_2 + k_252 * t_267 + k_253 * t_268;
-    float t_270 = q_9_4 + k_254 * t_267 - k_255 * t_268;
-    float t_271 = q_9_6 - k_256 * t_267 + k_257 * t_268;
-    float t_272 = q_9_8 + k_257 * t_267 - k_258 * t_268;
-    result[91] = cos_a * t_239 - sin_a * t_262;                                                                 // l=9 m=1
-    result[89] = sin_a * t_239 + cos_a * t_262;                                                                 // l=9 m=-1
-    result[92] = cos_2a * t_244 - sin_2a * t_269;                                                               // l=9 m=2
-    result[88] = sin_2a * t_244 + cos_2a * t_269;                                                               // l=9 m=-2
-    result[93] = cos_3a * t_240 - sin_3a * t_263;                                                               // l=9 m=3
-    result[87] = sin_3a * t_240 + cos_3a * t_263;                                                               // l=9 m=-3
-    result[94] = cos_4a * t_245 - sin_4a * t_270;                                                               // l=9 m=4
-    result[86] = sin_4a * t_245 + cos_4a * t_270;                                                               // l=9 m=-4
-    result[95] = cos_5a * t_241 - sin_5a * t_264;                                                               // l=9 m=5
-    result[85] = sin_5a * t_241 + cos_5a * t_264;                                                               // l=9 m=-5
-    result[96] = cos_6a * t_246 - sin_6a * t_271;                                                               // l=9 m=6
-    result[84] = sin_6a * t_246 + cos_6a * t_271;                                                               // l=9 m=-6
-    result[97] = cos_7a * t_242 - sin_7a * t_265;                                                               // l=9 m=7
-    result[83] = sin_7a * t_242 + cos_7a * t_265;                                                               // l=9 m=-7
-    result[98] = cos_8a * t_247 - sin_8a * t_272;                                                               // l=9 m=8
-    result[82] = sin_8a * t_247 + cos_8a * t_272;                                                               // l=9 m=-8
-    result[99] = cos_9a * t_243 - sin_9a * t_266;                                                               // l=9 m=9
-    result[81] = sin_9a * t_243 + cos_9a * t_266;                                                               // l=9 m=-9
+    float t_245 = q_9_1 - k_210 * q_9_3 - k_214 * q_9_5 + k_218 * q_9_7 + q_9_9;
+    float t_246 = k_206 * q_9_1 - k_211 * q_9_3 + k_215 * q_9_5 + q_9_7 - k_222 * q_9_9;
+    float t_247 = k_207 * q_9_1 + k_212 * q_9_3 + q_9_5 - k_219 * q_9_7 + k_223 * q_9_9;
+    float t_248 = k_208 * q_9_1 + q_9_3 - k_216 * q_9_5 + k_220 * q_9_7 - k_224 * q_9_9;
+    float t_249 = k_236 * v_9_7s - k_233 * v_9_1s - k_234 * v_9_3s - k_235 * v_9_5s + v_9_9s;
+    float t_250 = k_239 * v_9_5s - k_237 * v_9_1s - k_238 * v_9_3s + v_9_7s - k_240 * v_9_9s;
+    float t_251 = k_242 * v_9_3s - k_241 * v_9_1s + v_9_5s - k_243 * v_9_7s + k_244 * v_9_9s;
+    float t_252 = v_9_3s - k_245 * v_9_1s - k_246 * v_9_5s + k_247 * v_9_7s - k_248 * v_9_9s;
+    float t_253 = v_9_6s - k_249 * v_9_2s;
+    float t_254 = k_251 * v_9_4s - k_250 * v_9_2s + v_9_8s;
+    float t_255 = v_9_2s + k_252 * t_253 + k_253 * t_254;
+    float t_256 = v_9_4s + k_254 * t_253 - k_255 * t_254;
+    float t_257 = v_9_6s - k_256 * t_253 + k_257 * t_254;
+    float t_258 = v_9_8s + k_257 * t_253 - k_258 * t_254;
+    float t_259 = k_260 * t_20;
+    float p_9_2 = k_259 * t_18 * t_249 - t_259 * t_255;
+    float q_9_2 = cos_2b * t_255 - t_259 * t_249;
+    float t_260 = k_262 * t_25;
+    float p_9_4 = k_261 * t_24 * t_250 - t_260 * t_256;
+    float q_9_4 = cos_4b * t_256 - t_260 * t_250;
+    float t_261 = k_264 * t_30;
+    float p_9_6 = k_263 * t_29 * t_251 - t_261 * t_257;
+    float q_9_6 = cos_6b * t_257 - t_261 * t_251;
+    float t_262 = k_266 * t_35;
+    float p_9_8 = k_265 * t_34 * t_252 - t_262 * t_258;
+    float q_9_8 = cos_8b * t_258 - t_262 * t_252;
+    float t_263 = v_9_1s + (k_233 * p_9_2 + k_237 * p_9_4 + k_241 * p_9_6 + k_245 * p_9_8);
+    float t_264 = v_9_3s - (k_242 * p_9_6 - k_234 * p_9_2 - k_238 * p_9_4 + p_9_8);
+    float t_265 = v_9_5s - (k_239 * p_9_4 - k_235 * p_9_2 + p_9_6 - k_246 * p_9_8);
+    float t_266 = v_9_7s - (k_236 * p_9_2 + p_9_4 - k_243 * p_9_6 + k_247 * p_9_8);
+    float t_267 = v_9_9s - (p_9_2 - k_240 * p_9_4 + k_244 * p_9_6 - k_248 * p_9_8);
+    float t_268 = q_9_6 - k_249 * q_9_2;
+    float t_269 = k_251 * q_9_4 - k_250 * q_9_2 + q_9_8;
+    float t_270 = q_9_2 + k_252 * t_268 + k_253 * t_269;
+    float t_271 = q_9_4 + k_254 * t_268 - k_255 * t_269;
+    float t_272 = q_9_6 - k_256 * t_268 + k_257 * t_269;
+    float t_273 = q_9_8 + k_257 * t_268 - k_258 * t_269;
+    result[91] = cos_a * t_240 - sin_a * t_263;                                                                 // l=9 m=1
+    result[89] = sin_a * t_240 + cos_a * t_263;                                                                 // l=9 m=-1
+    result[92] = cos_2a * t_245 - sin_2a * t_270;                                                               // l=9 m=2
+    result[88] = sin_2a * t_245 + cos_2a * t_270;                                                               // l=9 m=-2
+    result[93] = cos_3a * t_241 - sin_3a * t_264;                                                               // l=9 m=3
+    result[87] = sin_3a * t_241 + cos_3a * t_264;                                                               // l=9 m=-3
+    result[94] = cos_4a * t_246 - sin_4a * t_271;                                                               // l=9 m=4
+    result[86] = sin_4a * t_246 + cos_4a * t_271;                                                               // l=9 m=-4
+    result[95] = cos_5a * t_242 - sin_5a * t_265;                                                               // l=9 m=5
+    result[85] = sin_5a * t_242 + cos_5a * t_265;                                                               // l=9 m=-5
+    result[96] = cos_6a * t_247 - sin_6a * t_272;                                                               // l=9 m=6
+    result[84] = sin_6a * t_247 + cos_6a * t_272;                                                               // l=9 m=-6
+    result[97] = cos_7a * t_243 - sin_7a * t_266;                                                               // l=9 m=7
+    result[83] = sin_7a * t_243 + cos_7a * t_266;                                                               // l=9 m=-7
+    result[98] = cos_8a * t_248 - sin_8a * t_273;                                                               // l=9 m=8
+    result[82] = sin_8a * t_248 + cos_8a * t_273;                                                               // l=9 m=-8
+    result[99] = cos_9a * t_244 - sin_9a * t_267;                                                               // l=9 m=9
+    result[81] = sin_9a * t_244 + cos_9a * t_267;                                                               // l=9 m=-9
     float c111 = c[111];
     float c109 = c[109];
     float v_10_1c = cos_g * c111 - sin_g * c109;
@@ -1150,101 +1150,101 @@ void rotate_quaternion_l10(float q[4], float c[121], out float result[121]) {
     float v_10_10c = cos_10g * c120 - sin_10g * c100;
     float v_10_10s = sin_10g * c120 + cos_10g * c100;
     float c110 = c[110];
-    float t_273 = k_271 * v_10_8c - k_267 * c110 - k_268 * v_10_2c - k_269 * v_10_4c - k_270 * v_10_6c + v_10_10c;
-    float t_274 = k_274 * v_10_4c - k_272 * c110 - k_273 * v_10_2c + k_275 * v_10_6c + v_10_8c - k_276 * v_10_10c;
-    float t_275 = k_277 * c110 + k_278 * v_10_2c - k_279 * v_10_4c - k_280 * v_10_6c + v_10_8c - k_281 * v_10_10c;
-    float t_276 = k_283 * v_10_2c - k_282 * c110 + v_10_4c - k_284 * v_10_6c + k_285 * v_10_8c - k_286 * v_10_10c;
-    float t_277 = v_10_2c - k_61 * c110 - k_287 * v_10_4c + k_288 * v_10_6c - k_289 * v_10_8c + k_290 * v_10_10c;
-    float t_278 = k_293 * v_10_5c;
-    float t_279 = k_291 * v_10_1c + k_292 * v_10_3c + t_278 + k_294 * v_10_7c + v_10_9c;
-    float t_280 = v_10_9c - k_295 * v_10_1c - k_296 * v_10_3c - t_278 - k_297 * v_10_7c;
-    float t_281 = k_300 * v_10_5c - k_298 * v_10_1c - k_299 * v_10_3c + v_10_7c - k_301 * v_10_9c;
-    float t_282 = v_10_5c - k_302 * v_10_1c - k_30 * v_10_3c - k_303 * v_10_7c + k_304 * v_10_9c;
-    float t_283 = v_10_1c - k_305 * v_10_3c + k_306 * v_10_5c - k_307 * v_10_7c + k_308 * v_10_9c;
-    float t_284 = k_310 * t_19;
-    float p_10_2 = k_309 * t_17 * t_273 - t_284 * t_279;
-    float q_10_2 = k_311 * cos_2b * t_279 - t_284 * t_273;
-    float t_285 = k_313 * t_24;
-    float p_10_4 = k_312 * t_23 * t_274 + t_285 * t_280;
-    float q_10_4 = t_285 * t_274 + k_314 * cos_4b * t_280;
-    float t_286 = k_316 * t_29;
-    float p_10_6 = k_315 * t_28 * t_275 - t_286 * t_281;
-    float q_10_6 = k_317 * cos_6b * t_281 - t_286 * t_275;
-    float t_287 = k_319 * t_34;
-    float p_10_8 = k_318 * t_33 * t_276 + t_287 * t_282;
-    float q_10_8 = t_287 * t_276 + k_320 * cos_8b * t_282;
-    float t_288 = k_322 * sin_5b * cos_5b;
-    float p_10_10 = k_321 * t_36 * t_277 - t_288 * t_283;
-    float q_10_10 = (k_323 - k_324 * t_36) * t_283 - t_288 * t_277;
+    float t_274 = k_271 * v_10_8c - k_267 * c110 - k_268 * v_10_2c - k_269 * v_10_4c - k_270 * v_10_6c + v_10_10c;
+    float t_275 = k_274 * v_10_4c - k_272 * c110 - k_273 * v_10_2c + k_275 * v_10_6c + v_10_8c - k_276 * v_10_10c;
+    float t_276 = k_277 * c110 + k_278 * v_10_2c - k_279 * v_10_4c - k_280 * v_10_6c + v_10_8c - k_281 * v_10_10c;
+    float t_277 = k_283 * v_10_2c - k_282 * c110 + v_10_4c - k_284 * v_10_6c + k_285 * v_10_8c - k_286 * v_10_10c;
+    float t_278 = v_10_2c - k_61 * c110 - k_287 * v_10_4c + k_288 * v_10_6c - k_289 * v_10_8c + k_290 * v_10_10c;
+    float t_279 = k_293 * v_10_5c;
+    float t_280 = k_291 * v_10_1c + k_292 * v_10_3c + t_279 + k_294 * v_10_7c + v_10_9c;
+    float t_281 = v_10_9c - k_295 * v_10_1c - k_296 * v_10_3c - t_279 - k_297 * v_10_7c;
+    float t_282 = k_300 * v_10_5c - k_298 * v_10_1c - k_299 * v_10_3c + v_10_7c - k_301 * v_10_9c;
+    float t_283 = v_10_5c - k_302 * v_10_1c - k_30 * v_10_3c - k_303 * v_10_7c + k_304 * v_10_9c;
+    float t_284 = v_10_1c - k_305 * v_10_3c + k_306 * v_10_5c - k_307 * v_10_7c + k_308 * v_10_9c;
+    float t_285 = k_310 * t_20;
+    float p_10_2 = k_309 * t_18 * t_274 - t_285 * t_280;
+    float q_10_2 = k_311 * cos_2b * t_280 - t_285 * t_274;
+    float t_286 = k_313 * t_25;
+    float p_10_4 = k_312 * t_24 * t_275 + t_286 * t_281;
+    float q_10_4 = t_286 * t_275 + k_314 * cos_4b * t_281;
+    float t_287 = k_316 * t_30;
+    float p_10_6 = k_315 * t_29 * t_276 - t_287 * t_282;
+    float q_10_6 = k_317 * cos_6b * t_282 - t_287 * t_276;
+    float t_288 = k_319 * t_35;
+    float p_10_8 = k_318 * t_34 * t_277 + t_288 * t_283;
+    float q_10_8 = t_288 * t_277 + k_320 * cos_8b * t_283;
+    float t_289 = k_322 * sin_5b * cos_5b;
+    float p_10_10 = k_321 * t_37 * t_278 - t_289 * t_284;
+    float q_10_10 = (k_323 - k_324 * t_37) * t_284 - t_289 * t_278;
     result[110] = c110 - (k_277 * p_10_6 - k_267 * p_10_2 - k_272 * p_10_4 - k_282 * p_10_8 - k_61 * p_10_10);  // l=10 m=0
-    float t_289 = v_10_2c - (k_278 * p_10_6 - k_268 * p_10_2 - k_273 * p_10_4 + k_283 * p_10_8 + p_10_10);
-    float t_290 = v_10_4c - (k_274 * p_10_4 - k_269 * p_10_2 - k_279 * p_10_6 + p_10_8 - k_287 * p_10_10);
-    float t_291 = v_10_6c - (k_275 * p_10_4 - k_270 * p_10_2 - k_280 * p_10_6 - k_284 * p_10_8 + k_288 * p_10_10);
-    float t_292 = v_10_8c - (k_271 * p_10_2 + p_10_4 + p_10_6 + k_285 * p_10_8 - k_289 * p_10_10);
-    float t_293 = v_10_10c - (p_10_2 - k_276 * p_10_4 - k_281 * p_10_6 - k_286 * p_10_8 + k_290 * p_10_10);
-    float t_294 = k_291 * q_10_2 - k_295 * q_10_4 - k_298 * q_10_6 - k_302 * q_10_8 + q_10_10;
-    float t_295 = k_292 * q_10_2 - k_296 * q_10_4 - k_299 * q_10_6 - k_30 * q_10_8 - k_305 * q_10_10;
-    float t_296 = k_293 * q_10_2 - k_293 * q_10_4 + k_300 * q_10_6 + q_10_8 + k_306 * q_10_10;
-    float t_297 = k_294 * q_10_2 - k_297 * q_10_4 + q_10_6 - k_303 * q_10_8 - k_307 * q_10_10;
-    float t_298 = q_10_2 + q_10_4 - k_301 * q_10_6 + k_304 * q_10_8 + k_308 * q_10_10;
-    float t_299 = k_328 * v_10_8s;
-    float t_300 = k_325 * v_10_2s + k_326 * v_10_4s + k_327 * v_10_6s + t_299 + v_10_10s;
-    float t_301 = v_10_10s - k_329 * v_10_2s - k_330 * v_10_4s - k_331 * v_10_6s - t_299;
-    float t_302 = k_334 * v_10_6s - k_332 * v_10_2s - k_333 * v_10_4s + v_10_8s - k_335 * v_10_10s;
-    float t_303 = v_10_6s - k_336 * v_10_2s - k_337 * v_10_4s - k_338 * v_10_8s + k_339 * v_10_10s;
-    float t_304 = v_10_4s - k_340 * v_10_2s - k_341 * v_10_6s + k_342 * v_10_8s - k_343 * v_10_10s;
-    float t_305 = k_345 * v_10_3s - k_344 * v_10_1s + v_10_5s + k_346 * v_10_7s;
-    float t_306 = k_348 * v_10_3s - k_347 * v_10_1s + k_349 * v_10_7s + v_10_9s;
-    float t_307 = v_10_1s + k_350 * t_305 + k_351 * t_306;
-    float t_308 = v_10_3s + k_352 * t_305 - k_353 * t_306;
-    float t_309 = v_10_5s - k_354 * t_305 + k_355 * t_306;
-    float t_310 = v_10_7s - k_356 * t_305 - k_357 * t_306;
-    float t_311 = v_10_9s + k_355 * t_305 - k_358 * t_306;
-    float t_312 = k_359 * sin_b;
-    float p_10_1 = k_323 * cos_b * t_300 + t_312 * t_307;
-    float q_10_1 = t_312 * t_300 - cos_b * t_307;
-    float t_313 = k_355 * sin_3b;
-    float p_10_3 = k_360 * cos_3b * t_301 - t_313 * t_308;
-    float q_10_3 = t_313 * t_301 + cos_3b * t_308;
-    float t_314 = k_361 * sin_5b;
-    float p_10_5 = k_320 * cos_5b * t_302 - t_314 * t_309;
-    float q_10_5 = t_314 * t_302 + cos_5b * t_309;
-    float t_315 = k_362 * sin_7b;
-    float p_10_7 = k_317 * cos_7b * t_303 - t_315 * t_310;
-    float q_10_7 = t_315 * t_303 + cos_7b * t_310;
-    float t_316 = k_363 * sin_9b;
-    float p_10_9 = k_314 * cos_9b * t_304 - t_316 * t_311;
-    float q_10_9 = t_316 * t_304 + cos_9b * t_311;
-    float t_317 = k_325 * p_10_1 - k_329 * p_10_3 - k_332 * p_10_5 - k_336 * p_10_7 - k_340 * p_10_9;
-    float t_318 = k_326 * p_10_1 - k_330 * p_10_3 - k_333 * p_10_5 - k_337 * p_10_7 + p_10_9;
-    float t_319 = k_327 * p_10_1 - k_331 * p_10_3 + k_334 * p_10_5 + p_10_7 - k_341 * p_10_9;
-    float t_320 = k_328 * p_10_1 - k_328 * p_10_3 + p_10_5 - k_338 * p_10_7 + k_342 * p_10_9;
-    float t_321 = p_10_1 + p_10_3 - k_335 * p_10_5 + k_339 * p_10_7 - k_343 * p_10_9;
-    float t_322 = k_344 * q_10_1 + k_345 * q_10_3 + q_10_5 + k_346 * q_10_7;
-    float t_323 = k_347 * q_10_1 + k_348 * q_10_3 + k_349 * q_10_7 + q_10_9;
-    float t_324 = q_10_1 - k_350 * t_322 - k_351 * t_323;
-    float t_325 = k_353 * t_323 - q_10_3 - k_352 * t_322;
-    float t_326 = k_354 * t_322 - q_10_5 - k_355 * t_323;
-    float t_327 = k_356 * t_322 - q_10_7 + k_357 * t_323;
-    float t_328 = k_358 * t_323 - q_10_9 - k_355 * t_322;
-    result[111] = cos_a * t_294 + sin_a * t_324;                                                                // l=10 m=1
-    result[109] = sin_a * t_294 - cos_a * t_324;                                                                // l=10 m=-1
-    result[112] = cos_2a * t_289 - sin_2a * t_317;                                                              // l=10 m=2
-    result[108] = sin_2a * t_289 + cos_2a * t_317;                                                              // l=10 m=-2
-    result[113] = cos_3a * t_295 + sin_3a * t_325;                                                              // l=10 m=3
-    result[107] = sin_3a * t_295 - cos_3a * t_325;                                                              // l=10 m=-3
-    result[114] = cos_4a * t_290 - sin_4a * t_318;                                                              // l=10 m=4
-    result[106] = sin_4a * t_290 + cos_4a * t_318;                                                              // l=10 m=-4
-    result[115] = cos_5a * t_296 + sin_5a * t_326;                                                              // l=10 m=5
-    result[105] = sin_5a * t_296 - cos_5a * t_326;                                                              // l=10 m=-5
-    result[116] = cos_6a * t_291 - sin_6a * t_319;                                                              // l=10 m=6
-    result[104] = sin_6a * t_291 + cos_6a * t_319;                                                              // l=10 m=-6
-    result[117] = cos_7a * t_297 + sin_7a * t_327;                                                              // l=10 m=7
-    result[103] = sin_7a * t_297 - cos_7a * t_327;                                                              // l=10 m=-7
-    result[118] = cos_8a * t_292 - sin_8a * t_320;                                                              // l=10 m=8
-    result[102] = sin_8a * t_292 + cos_8a * t_320;                                                              // l=10 m=-8
-    result[119] = cos_9a * t_298 + sin_9a * t_328;                                                              // l=10 m=9
-    result[101] = sin_9a * t_298 - cos_9a * t_328;                                                              // l=10 m=-9
-    result[120] = cos_10a * t_293 - sin_10a * t_321;                                                            // l=10 m=10
-    result[100] = sin_10a * t_293 + cos_10a * t_321;                                                            // l=10 m=-10
+    float t_290 = v_10_2c - (k_278 * p_10_6 - k_268 * p_10_2 - k_273 * p_10_4 + k_283 * p_10_8 + p_10_10);
+    float t_291 = v_10_4c - (k_274 * p_10_4 - k_269 * p_10_2 - k_279 * p_10_6 + p_10_8 - k_287 * p_10_10);
+    float t_292 = v_10_6c - (k_275 * p_10_4 - k_270 * p_10_2 - k_280 * p_10_6 - k_284 * p_10_8 + k_288 * p_10_10);
+    float t_293 = v_10_8c - (k_271 * p_10_2 + p_10_4 + p_10_6 + k_285 * p_10_8 - k_289 * p_10_10);
+    float t_294 = v_10_10c - (p_10_2 - k_276 * p_10_4 - k_281 * p_10_6 - k_286 * p_10_8 + k_290 * p_10_10);
+    float t_295 = k_291 * q_10_2 - k_295 * q_10_4 - k_298 * q_10_6 - k_302 * q_10_8 + q_10_10;
+    float t_296 = k_292 * q_10_2 - k_296 * q_10_4 - k_299 * q_10_6 - k_30 * q_10_8 - k_305 * q_10_10;
+    float t_297 = k_293 * q_10_2 - k_293 * q_10_4 + k_300 * q_10_6 + q_10_8 + k_306 * q_10_10;
+    float t_298 = k_294 * q_10_2 - k_297 * q_10_4 + q_10_6 - k_303 * q_10_8 - k_307 * q_10_10;
+    float t_299 = q_10_2 + q_10_4 - k_301 * q_10_6 + k_304 * q_10_8 + k_308 * q_10_10;
+    float t_300 = k_328 * v_10_8s;
+    float t_301 = k_325 * v_10_2s + k_326 * v_10_4s + k_327 * v_10_6s + t_300 + v_10_10s;
+    float t_302 = v_10_10s - k_329 * v_10_2s - k_330 * v_10_4s - k_331 * v_10_6s - t_300;
+    float t_303 = k_334 * v_10_6s - k_332 * v_10_2s - k_333 * v_10_4s + v_10_8s - k_335 * v_10_10s;
+    float t_304 = v_10_6s - k_336 * v_10_2s - k_337 * v_10_4s - k_338 * v_10_8s + k_339 * v_10_10s;
+    float t_305 = v_10_4s - k_340 * v_10_2s - k_341 * v_10_6s + k_342 * v_10_8s - k_343 * v_10_10s;
+    float t_306 = k_345 * v_10_3s - k_344 * v_10_1s + v_10_5s + k_346 * v_10_7s;
+    float t_307 = k_348 * v_10_3s - k_347 * v_10_1s + k_349 * v_10_7s + v_10_9s;
+    float t_308 = v_10_1s + k_350 * t_306 + k_351 * t_307;
+    float t_309 = v_10_3s + k_352 * t_306 - k_353 * t_307;
+    float t_310 = v_10_5s - k_354 * t_306 + k_355 * t_307;
+    float t_311 = v_10_7s - k_356 * t_306 - k_357 * t_307;
+    float t_312 = v_10_9s + k_355 * t_306 - k_358 * t_307;
+    float t_313 = k_359 * sin_b;
+    float p_10_1 = k_323 * cos_b * t_301 + t_313 * t_308;
+    float q_10_1 = t_313 * t_301 - cos_b * t_308;
+    float t_314 = k_355 * sin_3b;
+    float p_10_3 = k_360 * cos_3b * t_302 - t_314 * t_309;
+    float q_10_3 = t_314 * t_302 + cos_3b * t_309;
+    float t_315 = k_361 * sin_5b;
+    float p_10_5 = k_320 * cos_5b * t_303 - t_315 * t_310;
+    float q_10_5 = t_315 * t_303 + cos_5b * t_310;
+    float t_316 = k_362 * sin_7b;
+    float p_10_7 = k_317 * cos_7b * t_304 - t_316 * t_311;
+    float q_10_7 = t_316 * t_304 + cos_7b * t_311;
+    float t_317 = k_363 * sin_9b;
+    float p_10_9 = k_314 * cos_9b * t_305 - t_317 * t_312;
+    float q_10_9 = t_317 * t_305 + cos_9b * t_312;
+    float t_318 = k_325 * p_10_1 - k_329 * p_10_3 - k_332 * p_10_5 - k_336 * p_10_7 - k_340 * p_10_9;
+    float t_319 = k_326 * p_10_1 - k_330 * p_10_3 - k_333 * p_10_5 - k_337 * p_10_7 + p_10_9;
+    float t_320 = k_327 * p_10_1 - k_331 * p_10_3 + k_334 * p_10_5 + p_10_7 - k_341 * p_10_9;
+    float t_321 = k_328 * p_10_1 - k_328 * p_10_3 + p_10_5 - k_338 * p_10_7 + k_342 * p_10_9;
+    float t_322 = p_10_1 + p_10_3 - k_335 * p_10_5 + k_339 * p_10_7 - k_343 * p_10_9;
+    float t_323 = k_344 * q_10_1 + k_345 * q_10_3 + q_10_5 + k_346 * q_10_7;
+    float t_324 = k_347 * q_10_1 + k_348 * q_10_3 + k_349 * q_10_7 + q_10_9;
+    float t_325 = q_10_1 - k_350 * t_323 - k_351 * t_324;
+    float t_326 = k_353 * t_324 - q_10_3 - k_352 * t_323;
+    float t_327 = k_354 * t_323 - q_10_5 - k_355 * t_324;
+    float t_328 = k_356 * t_323 - q_10_7 + k_357 * t_324;
+    float t_329 = k_358 * t_324 - q_10_9 - k_355 * t_323;
+    result[111] = cos_a * t_295 + sin_a * t_325;                                                                // l=10 m=1
+    result[109] = sin_a * t_295 - cos_a * t_325;                                                                // l=10 m=-1
+    result[112] = cos_2a * t_290 - sin_2a * t_318;                                                              // l=10 m=2
+    result[108] = sin_2a * t_290 + cos_2a * t_318;                                                              // l=10 m=-2
+    result[113] = cos_3a * t_296 + sin_3a * t_326;                                                              // l=10 m=3
+    result[107] = sin_3a * t_296 - cos_3a * t_326;                                                              // l=10 m=-3
+    result[114] = cos_4a * t_291 - sin_4a * t_319;                                                              // l=10 m=4
+    result[106] = sin_4a * t_291 + cos_4a * t_319;                                                              // l=10 m=-4
+    result[115] = cos_5a * t_297 + sin_5a * t_327;                                                              // l=10 m=5
+    result[105] = sin_5a * t_297 - cos_5a * t_327;                                                              // l=10 m=-5
+    result[116] = cos_6a * t_292 - sin_6a * t_320;                                                              // l=10 m=6
+    result[104] = sin_6a * t_292 + cos_6a * t_320;                                                              // l=10 m=-6
+    result[117] = cos_7a * t_298 + sin_7a * t_328;                                                              // l=10 m=7
+    result[103] = sin_7a * t_298 - cos_7a * t_328;                                                              // l=10 m=-7
+    result[118] = cos_8a * t_293 - sin_8a * t_321;                                                              // l=10 m=8
+    result[102] = sin_8a * t_293 + cos_8a * t_321;                                                              // l=10 m=-8
+    result[119] = cos_9a * t_299 + sin_9a * t_329;                                                              // l=10 m=9
+    result[101] = sin_9a * t_299 - cos_9a * t_329;                                                              // l=10 m=-9
+    result[120] = cos_10a * t_294 - sin_10a * t_322;                                                            // l=10 m=10
+    result[100] = sin_10a * t_294 + cos_10a * t_322;                                                            // l=10 m=-10
 }

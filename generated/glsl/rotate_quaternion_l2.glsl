@@ -10,7 +10,7 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         64 multiplications, 32 additions, 1 divisions, 1 square roots, 6 selections; longest chain 18; at most
+// Cost:         63 multiplications, 33 additions, 1 divisions, 1 square roots, 6 selections; longest chain 19; at most
 //               22 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 1.4e-06 (12.0 eps)
@@ -28,15 +28,13 @@ precision highp float;
 #endif
 
 void rotate_quaternion_l2(float q[4], float c[9], out float result[9]) {
-    const float tiny   = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float one    = 1.0;            // 1
-    const float zero   = 0.0;            // 0
-    const float two    = 2.0;            // 2
-    const float half_2 = 0.5;            // 1/2
-    const float k      = 0.57735026;     // 1/3 sqrt(3)
-    const float k_2    = 6.0;            // 6
-    const float k_3    = 1.7320508;      // sqrt(3)
-    const float k_4    = 8.0;            // 8
+    const float tiny = 1.9721523e-31;  // 1/5070602400912917605986812821504
+    const float one  = 1.0;            // 1
+    const float zero = 0.0;            // 0
+    const float k    = 0.57735026;     // 1/3 sqrt(3)
+    const float k_2  = 6.0;            // 6
+    const float k_3  = 1.7320508;      // sqrt(3)
+    const float k_4  = 8.0;            // 8
 
     result[0] = c[0];                            // l=0 m=0
     float aa = q[0] * q[0] + q[3] * q[3];
@@ -45,8 +43,8 @@ void rotate_quaternion_l2(float q[4], float c[9], out float result[9]) {
     float a_im = (aa < tiny ? zero : q[3]);
     float b_re = (bb < tiny ? one : q[2]);
     float b_im = (bb < tiny ? zero : q[1]);
-    float inv2 = two / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
-    float inv = sqrt(half_2 * inv2);
+    float inv_sq = one / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
+    float inv = sqrt(inv_sq);
     float t = a_re * b_re;
     float t_2 = a_im * b_im;
     float t_3 = a_im * b_re;
@@ -55,19 +53,20 @@ void rotate_quaternion_l2(float q[4], float c[9], out float result[9]) {
     float t_6 = t_3 - t_4;
     float cos_a = t_5 * inv;
     float sin_a = t_6 * inv;
-    float t_7 = t_6 * inv2;
-    float sin_2a = t_7 * t_5;
-    float cos_2a = one - t_7 * t_6;
-    float t_8 = t - t_2;
-    float t_9 = t_3 + t_4;
-    float cos_g = t_8 * inv;
-    float sin_g = t_9 * inv;
-    float t_10 = t_9 * inv2;
-    float sin_2g = t_10 * t_8;
-    float cos_2g = one - t_10 * t_9;
-    float t_11 = aa * bb;
-    float t_12 = t_11 * inv;
-    float sin_b = t_12 + t_12;
+    float t_7 = inv_sq + inv_sq;
+    float t_8 = t_6 * t_7;
+    float sin_2a = t_8 * t_5;
+    float cos_2a = one - t_8 * t_6;
+    float t_9 = t - t_2;
+    float t_10 = t_3 + t_4;
+    float cos_g = t_9 * inv;
+    float sin_g = t_10 * inv;
+    float t_11 = t_10 * t_7;
+    float sin_2g = t_11 * t_9;
+    float cos_2g = one - t_11 * t_10;
+    float t_12 = aa * bb;
+    float t_13 = t_12 * inv;
+    float sin_b = t_13 + t_13;
     float cos_b = aa - bb;
     float c3 = c[3];
     float c1 = c[1];
@@ -87,16 +86,16 @@ void rotate_quaternion_l2(float q[4], float c[9], out float result[9]) {
     float v_2_2c = cos_2g * c8 - sin_2g * c4;
     float v_2_2s = sin_2g * c8 + cos_2g * c4;
     float c6 = c[6];
-    float t_13 = c6 - k * v_2_2c;
-    float t_14 = k_3 * sin_b * cos_b;
-    float p_2_2 = k_2 * t_11 * t_13 + t_14 * v_2_1c;
-    float q_2_2 = t_14 * t_13 + (one - k_4 * t_11) * v_2_1c;
+    float t_14 = c6 - k * v_2_2c;
+    float t_15 = k_3 * sin_b * cos_b;
+    float p_2_2 = k_2 * t_12 * t_14 + t_15 * v_2_1c;
+    float q_2_2 = t_15 * t_14 + (one - k_4 * t_12) * v_2_1c;
     result[6] = c6 - p_2_2;                      // l=2 m=0
-    float t_15 = v_2_2c + k * p_2_2;
+    float t_16 = v_2_2c + k * p_2_2;
     float p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
     float q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
     result[7] = cos_a * q_2_2 - sin_a * q_2_1;   // l=2 m=1
     result[5] = sin_a * q_2_2 + cos_a * q_2_1;   // l=2 m=-1
-    result[8] = cos_2a * t_15 - sin_2a * p_2_1;  // l=2 m=2
-    result[4] = sin_2a * t_15 + cos_2a * p_2_1;  // l=2 m=-2
+    result[8] = cos_2a * t_16 - sin_2a * p_2_1;  // l=2 m=2
+    result[4] = sin_2a * t_16 + cos_2a * p_2_1;  // l=2 m=-2
 }

@@ -10,7 +10,7 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         124 multiplications, 67 additions, 1 divisions, 1 square roots, 6 selections; longest chain 21; at most
+// Cost:         123 multiplications, 68 additions, 1 divisions, 1 square roots, 6 selections; longest chain 22; at most
 //               36 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 2.2e-06 (20.2 eps)
@@ -28,22 +28,21 @@ precision highp float;
 #endif
 
 void rotate_quaternion_l3(float q[4], float c[16], out float result[16]) {
-    const float tiny   = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float one    = 1.0;            // 1
-    const float zero   = 0.0;            // 0
-    const float two    = 2.0;            // 2
-    const float half_2 = 0.5;            // 1/2
-    const float k      = 8.0;            // 8
-    const float k_2    = 0.57735026;     // 1/3 sqrt(3)
-    const float k_3    = 6.0;            // 6
-    const float k_4    = 1.7320508;      // sqrt(3)
-    const float k_5    = 0.2581989;      // 1/15 sqrt(15)
-    const float k_6    = 0.7745967;      // 1/5 sqrt(15)
-    const float k_7    = 0.9375;         // 15/16
-    const float k_8    = 0.76546556;     // 5/16 sqrt(6)
-    const float k_9    = 0.625;          // 5/8
-    const float k_10   = 5.0;            // 5
-    const float k_11   = 1.5811388;      // 1/2 sqrt(10)
+    const float tiny = 1.9721523e-31;  // 1/5070602400912917605986812821504
+    const float one  = 1.0;            // 1
+    const float zero = 0.0;            // 0
+    const float two  = 2.0;            // 2
+    const float k    = 8.0;            // 8
+    const float k_2  = 0.57735026;     // 1/3 sqrt(3)
+    const float k_3  = 6.0;            // 6
+    const float k_4  = 1.7320508;      // sqrt(3)
+    const float k_5  = 0.2581989;      // 1/15 sqrt(15)
+    const float k_6  = 0.7745967;      // 1/5 sqrt(15)
+    const float k_7  = 0.9375;         // 15/16
+    const float k_8  = 0.76546556;     // 5/16 sqrt(6)
+    const float k_9  = 0.625;          // 5/8
+    const float k_10 = 5.0;            // 5
+    const float k_11 = 1.5811388;      // 1/2 sqrt(10)
 
     result[0] = c[0];                             // l=0 m=0
     float aa = q[0] * q[0] + q[3] * q[3];
@@ -52,44 +51,45 @@ void rotate_quaternion_l3(float q[4], float c[16], out float result[16]) {
     float bb = q[1] * q[1] + q[2] * q[2];
     float b_re = (bb < tiny ? one : q[2]);
     float b_im = (bb < tiny ? zero : q[1]);
-    float inv2 = two / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
-    float inv = sqrt(half_2 * inv2);
-    float t = a_re * b_re;
-    float t_2 = a_im * b_re;
-    float t_3 = a_im * b_im;
-    float t_4 = a_re * b_im;
-    float t_5 = t + t_3;
-    float t_6 = t - t_3;
+    float inv_sq = one / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
+    float inv = sqrt(inv_sq);
+    float t = inv_sq + inv_sq;
+    float t_2 = a_re * b_re;
+    float t_3 = a_im * b_re;
+    float t_4 = a_im * b_im;
+    float t_5 = a_re * b_im;
+    float t_6 = t_2 + t_4;
     float t_7 = t_2 - t_4;
-    float t_8 = t_2 + t_4;
-    float cos_a = t_5 * inv;
-    float sin_a = t_7 * inv;
-    float t_9 = t_7 * inv2;
-    float t_10 = t_9 * t_7;
-    float sin_2a = t_9 * t_5;
-    float t_11 = t_8 * inv2;
-    float cos_2a = one - t_10;
-    float t_12 = cos_2a - t_10;
-    float cos_3a = cos_a * t_12;
-    float sin_3a = sin_a * (t_12 + two);
-    float cos_g = t_6 * inv;
-    float sin_2g = t_11 * t_6;
-    float t_13 = t_11 * t_8;
-    float sin_g = t_8 * inv;
-    float cos_2g = one - t_13;
-    float t_14 = cos_2g - t_13;
-    float cos_3g = cos_g * t_14;
-    float sin_3g = sin_g * (t_14 + two);
-    float t_15 = aa * bb;
+    float t_8 = t_3 - t_5;
+    float t_9 = t_3 + t_5;
+    float cos_a = t_6 * inv;
+    float sin_a = t_8 * inv;
+    float t_10 = t_8 * t;
+    float t_11 = t_10 * t_8;
+    float sin_2a = t_10 * t_6;
+    float t_12 = t_9 * t;
+    float cos_2a = one - t_11;
+    float t_13 = cos_2a - t_11;
+    float cos_3a = cos_a * t_13;
+    float sin_3a = sin_a * (t_13 + two);
+    float cos_g = t_7 * inv;
+    float sin_2g = t_12 * t_7;
+    float t_14 = t_12 * t_9;
+    float sin_g = t_9 * inv;
+    float cos_2g = one - t_14;
+    float t_15 = cos_2g - t_14;
+    float cos_3g = cos_g * t_15;
+    float sin_3g = sin_g * (t_15 + two);
+    float t_16 = aa * bb;
     float cos_b = aa - bb;
-    float t_16 = t_15 * inv;
-    float sin_b = t_16 + t_16;
-    float t_17 = sin_b * cos_b;
-    float t_18 = k * t_15;
-    float cos_2b = one - t_18;
-    float t_19 = cos_2b - t_18;
-    float cos_3b = cos_b * t_19;
-    float t_20 = k_8 * sin_b * (t_19 + two);
+    float t_17 = t_16 * inv;
+    float sin_b = t_17 + t_17;
+    float t_18 = sin_b * cos_b;
+    float t_19 = k * t_16;
+    float cos_2b = one - t_19;
+    float t_20 = cos_2b - t_19;
+    float cos_3b = cos_b * t_20;
+    float t_21 = k_8 * sin_b * (t_20 + two);
     float c3 = c[3];
     float c1 = c[1];
     float v_1_1c = cos_g * c3 - sin_g * c1;
@@ -108,20 +108,20 @@ void rotate_quaternion_l3(float q[4], float c[16], out float result[16]) {
     float v_2_2c = cos_2g * c8 - sin_2g * c4;
     float v_2_2s = sin_2g * c8 + cos_2g * c4;
     float c6 = c[6];
-    float t_21 = c6 - k_2 * v_2_2c;
-    float t_22 = k_4 * t_17;
-    float p_2_2 = k_3 * t_15 * t_21 + t_22 * v_2_1c;
+    float t_22 = c6 - k_2 * v_2_2c;
+    float t_23 = k_4 * t_18;
+    float p_2_2 = k_3 * t_16 * t_22 + t_23 * v_2_1c;
     result[6] = c6 - p_2_2;                       // l=2 m=0
-    float q_2_2 = t_22 * t_21 + cos_2b * v_2_1c;
-    float t_23 = v_2_2c + k_2 * p_2_2;
-    float t_24 = k_11 * t_17;
+    float q_2_2 = t_23 * t_22 + cos_2b * v_2_1c;
+    float t_24 = v_2_2c + k_2 * p_2_2;
+    float t_25 = k_11 * t_18;
     float p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
     float q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
-    float t_25 = k_8 * sin_b;
+    float t_26 = k_8 * sin_b;
     result[7] = cos_a * q_2_2 - sin_a * q_2_1;    // l=2 m=1
     result[5] = sin_a * q_2_2 + cos_a * q_2_1;    // l=2 m=-1
-    result[8] = cos_2a * t_23 - sin_2a * p_2_1;   // l=2 m=2
-    result[4] = sin_2a * t_23 + cos_2a * p_2_1;   // l=2 m=-2
+    result[8] = cos_2a * t_24 - sin_2a * p_2_1;   // l=2 m=2
+    result[4] = sin_2a * t_24 + cos_2a * p_2_1;   // l=2 m=-2
     float c13 = c[13];
     float c11 = c[11];
     float v_3_1c = cos_g * c13 - sin_g * c11;
@@ -134,28 +134,28 @@ void rotate_quaternion_l3(float q[4], float c[16], out float result[16]) {
     float c9 = c[9];
     float v_3_3c = cos_3g * c15 - sin_3g * c9;
     float v_3_3s = sin_3g * c15 + cos_3g * c9;
-    float t_26 = k_5 * v_3_1c + v_3_3c;
-    float t_27 = v_3_1c - k_5 * v_3_3c;
+    float t_27 = k_5 * v_3_1c + v_3_3c;
+    float t_28 = v_3_1c - k_5 * v_3_3c;
     float c12 = c[12];
-    float t_28 = k_6 * c12 + v_3_2c;
-    float t_29 = c12 - k_6 * v_3_2c;
-    float p_3_1 = k_7 * cos_b * t_26 + t_25 * t_28;
-    float q_3_1 = k_9 * cos_b * t_28 - t_25 * t_26;
-    float p_3_3 = k_7 * cos_3b * t_27 + t_20 * t_29;
-    float q_3_3 = k_9 * cos_3b * t_29 - t_20 * t_27;
-    float t_30 = k_5 * p_3_1 + p_3_3;
-    float t_31 = p_3_1 - k_5 * p_3_3;
+    float t_29 = k_6 * c12 + v_3_2c;
+    float t_30 = c12 - k_6 * v_3_2c;
+    float p_3_1 = k_7 * cos_b * t_27 + t_26 * t_29;
+    float q_3_1 = k_9 * cos_b * t_29 - t_26 * t_27;
+    float p_3_3 = k_7 * cos_3b * t_28 + t_21 * t_30;
+    float q_3_3 = k_9 * cos_3b * t_30 - t_21 * t_28;
+    float t_31 = k_5 * p_3_1 + p_3_3;
+    float t_32 = p_3_1 - k_5 * p_3_3;
     result[12] = k_6 * q_3_1 + q_3_3;             // l=3 m=0
-    float t_32 = q_3_1 - k_6 * q_3_3;
-    float t_33 = v_3_1s - k_6 * v_3_3s;
-    float p_3_2 = k_10 * t_15 * t_33 + t_24 * v_3_2s;
-    float q_3_2 = t_24 * t_33 + cos_2b * v_3_2s;
-    float t_34 = v_3_1s - p_3_2;
-    float t_35 = v_3_3s + k_6 * p_3_2;
-    result[13] = cos_a * t_30 - sin_a * t_34;     // l=3 m=1
-    result[11] = sin_a * t_30 + cos_a * t_34;     // l=3 m=-1
-    result[14] = cos_2a * t_32 - sin_2a * q_3_2;  // l=3 m=2
-    result[10] = sin_2a * t_32 + cos_2a * q_3_2;  // l=3 m=-2
-    result[15] = cos_3a * t_31 - sin_3a * t_35;   // l=3 m=3
-    result[9] = sin_3a * t_31 + cos_3a * t_35;    // l=3 m=-3
+    float t_33 = q_3_1 - k_6 * q_3_3;
+    float t_34 = v_3_1s - k_6 * v_3_3s;
+    float p_3_2 = k_10 * t_16 * t_34 + t_25 * v_3_2s;
+    float q_3_2 = t_25 * t_34 + cos_2b * v_3_2s;
+    float t_35 = v_3_1s - p_3_2;
+    float t_36 = v_3_3s + k_6 * p_3_2;
+    result[13] = cos_a * t_31 - sin_a * t_35;     // l=3 m=1
+    result[11] = sin_a * t_31 + cos_a * t_35;     // l=3 m=-1
+    result[14] = cos_2a * t_33 - sin_2a * q_3_2;  // l=3 m=2
+    result[10] = sin_2a * t_33 + cos_2a * q_3_2;  // l=3 m=-2
+    result[15] = cos_3a * t_32 - sin_3a * t_36;   // l=3 m=3
+    result[9] = sin_3a * t_32 + cos_3a * t_36;    // l=3 m=-3
 }

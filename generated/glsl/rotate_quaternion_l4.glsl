@@ -10,7 +10,7 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         210 multiplications, 120 additions, 1 divisions, 1 square roots, 6 selections; longest chain 24; at
+// Cost:         209 multiplications, 121 additions, 1 divisions, 1 square roots, 6 selections; longest chain 25; at
 //               most 51 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 2.5e-06 (27.4 eps)
@@ -28,36 +28,35 @@ precision highp float;
 #endif
 
 void rotate_quaternion_l4(float q[4], float c[25], out float result[25]) {
-    const float tiny   = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float one    = 1.0;            // 1
-    const float zero   = 0.0;            // 0
-    const float two    = 2.0;            // 2
-    const float half_2 = 0.5;            // 1/2
-    const float k      = 8.0;            // 8
-    const float k_2    = 0.57735026;     // 1/3 sqrt(3)
-    const float k_3    = 6.0;            // 6
-    const float k_4    = 1.7320508;      // sqrt(3)
-    const float k_5    = 0.2581989;      // 1/15 sqrt(15)
-    const float k_6    = 0.7745967;      // 1/5 sqrt(15)
-    const float k_7    = 0.9375;         // 15/16
-    const float k_8    = 0.76546556;     // 5/16 sqrt(6)
-    const float k_9    = 0.625;          // 5/8
-    const float k_10   = 5.0;            // 5
-    const float k_11   = 1.5811388;      // 1/2 sqrt(10)
-    const float k_12   = 0.8451542;      // 1/7 sqrt(35)
-    const float k_13   = 0.75592893;     // 2/7 sqrt(7)
-    const float k_14   = 0.8944272;      // 2/5 sqrt(5)
-    const float k_15   = 0.16903085;     // 1/35 sqrt(35)
-    const float k_16   = 0.37796447;     // 1/7 sqrt(7)
-    const float k_17   = 3.5;            // 7/2
-    const float k_18   = 1.2374369;      // 7/8 sqrt(2)
-    const float k_19   = 0.875;          // 7/8
-    const float k_20   = 4.375;          // 35/8
-    const float k_21   = 2.766993;       // 7/8 sqrt(10)
-    const float k_22   = 7.0;            // 7
-    const float k_23   = 0.8819171;      // 1/3 sqrt(7)
-    const float k_24   = 0.70156074;     // 3/16 sqrt(14)
-    const float k_25   = 0.5625;         // 9/16
+    const float tiny = 1.9721523e-31;  // 1/5070602400912917605986812821504
+    const float one  = 1.0;            // 1
+    const float zero = 0.0;            // 0
+    const float two  = 2.0;            // 2
+    const float k    = 8.0;            // 8
+    const float k_2  = 0.57735026;     // 1/3 sqrt(3)
+    const float k_3  = 6.0;            // 6
+    const float k_4  = 1.7320508;      // sqrt(3)
+    const float k_5  = 0.2581989;      // 1/15 sqrt(15)
+    const float k_6  = 0.7745967;      // 1/5 sqrt(15)
+    const float k_7  = 0.9375;         // 15/16
+    const float k_8  = 0.76546556;     // 5/16 sqrt(6)
+    const float k_9  = 0.625;          // 5/8
+    const float k_10 = 5.0;            // 5
+    const float k_11 = 1.5811388;      // 1/2 sqrt(10)
+    const float k_12 = 0.8451542;      // 1/7 sqrt(35)
+    const float k_13 = 0.75592893;     // 2/7 sqrt(7)
+    const float k_14 = 0.8944272;      // 2/5 sqrt(5)
+    const float k_15 = 0.16903085;     // 1/35 sqrt(35)
+    const float k_16 = 0.37796447;     // 1/7 sqrt(7)
+    const float k_17 = 3.5;            // 7/2
+    const float k_18 = 1.2374369;      // 7/8 sqrt(2)
+    const float k_19 = 0.875;          // 7/8
+    const float k_20 = 4.375;          // 35/8
+    const float k_21 = 2.766993;       // 7/8 sqrt(10)
+    const float k_22 = 7.0;            // 7
+    const float k_23 = 0.8819171;      // 1/3 sqrt(7)
+    const float k_24 = 0.70156074;     // 3/16 sqrt(14)
+    const float k_25 = 0.5625;         // 9/16
 
     result[0] = c[0];                             // l=0 m=0
     float aa = q[0] * q[0] + q[3] * q[3];
@@ -66,8 +65,8 @@ void rotate_quaternion_l4(float q[4], float c[25], out float result[25]) {
     float a_im = (aa < tiny ? zero : q[3]);
     float b_re = (bb < tiny ? one : q[2]);
     float b_im = (bb < tiny ? zero : q[1]);
-    float inv2 = two / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
-    float inv = sqrt(half_2 * inv2);
+    float inv_sq = one / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
+    float inv = sqrt(inv_sq);
     float t = a_re * b_re;
     float t_2 = a_im * b_im;
     float t_3 = a_im * b_re;
@@ -76,41 +75,42 @@ void rotate_quaternion_l4(float q[4], float c[25], out float result[25]) {
     float t_6 = t_3 - t_4;
     float cos_a = t_5 * inv;
     float sin_a = t_6 * inv;
-    float t_7 = t_6 * inv2;
-    float t_8 = t_7 * t_6;
-    float sin_2a = t_7 * t_5;
-    float cos_2a = one - t_8;
-    float t_9 = cos_2a - t_8;
-    float cos_3a = cos_a * t_9;
-    float sin_3a = sin_a * (t_9 + two);
-    float t_10 = cos_a + cos_a;
-    float cos_4a = t_10 * cos_3a - cos_2a;
-    float sin_4a = t_10 * sin_3a - sin_2a;
-    float t_11 = t - t_2;
-    float t_12 = t_3 + t_4;
-    float cos_g = t_11 * inv;
-    float sin_g = t_12 * inv;
-    float t_13 = t_12 * inv2;
-    float t_14 = t_13 * t_12;
-    float sin_2g = t_13 * t_11;
-    float cos_2g = one - t_14;
-    float t_15 = cos_2g - t_14;
-    float cos_3g = cos_g * t_15;
-    float sin_3g = sin_g * (t_15 + two);
-    float t_16 = cos_g + cos_g;
-    float cos_4g = t_16 * cos_3g - cos_2g;
-    float sin_4g = t_16 * sin_3g - sin_2g;
-    float t_17 = aa * bb;
-    float t_18 = t_17 * inv;
-    float sin_b = t_18 + t_18;
+    float t_7 = inv_sq + inv_sq;
+    float t_8 = t_6 * t_7;
+    float t_9 = t_8 * t_6;
+    float sin_2a = t_8 * t_5;
+    float cos_2a = one - t_9;
+    float t_10 = cos_2a - t_9;
+    float cos_3a = cos_a * t_10;
+    float sin_3a = sin_a * (t_10 + two);
+    float t_11 = cos_a + cos_a;
+    float cos_4a = t_11 * cos_3a - cos_2a;
+    float sin_4a = t_11 * sin_3a - sin_2a;
+    float t_12 = t - t_2;
+    float t_13 = t_3 + t_4;
+    float cos_g = t_12 * inv;
+    float sin_g = t_13 * inv;
+    float t_14 = t_13 * t_7;
+    float t_15 = t_14 * t_13;
+    float sin_2g = t_14 * t_12;
+    float cos_2g = one - t_15;
+    float t_16 = cos_2g - t_15;
+    float cos_3g = cos_g * t_16;
+    float sin_3g = sin_g * (t_16 + two);
+    float t_17 = cos_g + cos_g;
+    float cos_4g = t_17 * cos_3g - cos_2g;
+    float sin_4g = t_17 * sin_3g - sin_2g;
+    float t_18 = aa * bb;
+    float t_19 = t_18 * inv;
+    float sin_b = t_19 + t_19;
     float cos_b = aa - bb;
-    float t_19 = sin_b * cos_b;
-    float t_20 = k * t_17;
-    float cos_2b = one - t_20;
-    float t_21 = cos_2b - t_20;
-    float cos_3b = cos_b * t_21;
-    float sin_3b = sin_b * (t_21 + two);
-    float t_22 = t_19 * t_19;
+    float t_20 = sin_b * cos_b;
+    float t_21 = k * t_18;
+    float cos_2b = one - t_21;
+    float t_22 = cos_2b - t_21;
+    float cos_3b = cos_b * t_22;
+    float sin_3b = sin_b * (t_22 + two);
+    float t_23 = t_20 * t_20;
     float c3 = c[3];
     float c1 = c[1];
     float v_1_1c = cos_g * c3 - sin_g * c1;
@@ -129,18 +129,18 @@ void rotate_quaternion_l4(float q[4], float c[25], out float result[25]) {
     float v_2_2c = cos_2g * c8 - sin_2g * c4;
     float v_2_2s = sin_2g * c8 + cos_2g * c4;
     float c6 = c[6];
-    float t_23 = c6 - k_2 * v_2_2c;
-    float t_24 = k_4 * t_19;
-    float p_2_2 = k_3 * t_17 * t_23 + t_24 * v_2_1c;
-    float q_2_2 = t_24 * t_23 + cos_2b * v_2_1c;
+    float t_24 = c6 - k_2 * v_2_2c;
+    float t_25 = k_4 * t_20;
+    float p_2_2 = k_3 * t_18 * t_24 + t_25 * v_2_1c;
+    float q_2_2 = t_25 * t_24 + cos_2b * v_2_1c;
     result[6] = c6 - p_2_2;                       // l=2 m=0
-    float t_25 = v_2_2c + k_2 * p_2_2;
+    float t_26 = v_2_2c + k_2 * p_2_2;
     float p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
     float q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
     result[7] = cos_a * q_2_2 - sin_a * q_2_1;    // l=2 m=1
     result[5] = sin_a * q_2_2 + cos_a * q_2_1;    // l=2 m=-1
-    result[8] = cos_2a * t_25 - sin_2a * p_2_1;   // l=2 m=2
-    result[4] = sin_2a * t_25 + cos_2a * p_2_1;   // l=2 m=-2
+    result[8] = cos_2a * t_26 - sin_2a * p_2_1;   // l=2 m=2
+    result[4] = sin_2a * t_26 + cos_2a * p_2_1;   // l=2 m=-2
     float c13 = c[13];
     float c11 = c[11];
     float v_3_1c = cos_g * c13 - sin_g * c11;
@@ -153,33 +153,33 @@ void rotate_quaternion_l4(float q[4], float c[25], out float result[25]) {
     float c9 = c[9];
     float v_3_3c = cos_3g * c15 - sin_3g * c9;
     float v_3_3s = sin_3g * c15 + cos_3g * c9;
-    float t_26 = k_5 * v_3_1c + v_3_3c;
-    float t_27 = v_3_1c - k_5 * v_3_3c;
+    float t_27 = k_5 * v_3_1c + v_3_3c;
+    float t_28 = v_3_1c - k_5 * v_3_3c;
     float c12 = c[12];
-    float t_28 = k_6 * c12 + v_3_2c;
-    float t_29 = c12 - k_6 * v_3_2c;
-    float t_30 = k_8 * sin_b;
-    float p_3_1 = k_7 * cos_b * t_26 + t_30 * t_28;
-    float q_3_1 = k_9 * cos_b * t_28 - t_30 * t_26;
-    float t_31 = k_8 * sin_3b;
-    float p_3_3 = k_7 * cos_3b * t_27 + t_31 * t_29;
-    float q_3_3 = k_9 * cos_3b * t_29 - t_31 * t_27;
-    float t_32 = k_5 * p_3_1 + p_3_3;
-    float t_33 = p_3_1 - k_5 * p_3_3;
+    float t_29 = k_6 * c12 + v_3_2c;
+    float t_30 = c12 - k_6 * v_3_2c;
+    float t_31 = k_8 * sin_b;
+    float p_3_1 = k_7 * cos_b * t_27 + t_31 * t_29;
+    float q_3_1 = k_9 * cos_b * t_29 - t_31 * t_27;
+    float t_32 = k_8 * sin_3b;
+    float p_3_3 = k_7 * cos_3b * t_28 + t_32 * t_30;
+    float q_3_3 = k_9 * cos_3b * t_30 - t_32 * t_28;
+    float t_33 = k_5 * p_3_1 + p_3_3;
+    float t_34 = p_3_1 - k_5 * p_3_3;
     result[12] = k_6 * q_3_1 + q_3_3;             // l=3 m=0
-    float t_34 = q_3_1 - k_6 * q_3_3;
-    float t_35 = v_3_1s - k_6 * v_3_3s;
-    float t_36 = k_11 * t_19;
-    float p_3_2 = k_10 * t_17 * t_35 + t_36 * v_3_2s;
-    float q_3_2 = t_36 * t_35 + cos_2b * v_3_2s;
-    float t_37 = v_3_1s - p_3_2;
-    float t_38 = v_3_3s + k_6 * p_3_2;
-    result[13] = cos_a * t_32 - sin_a * t_37;     // l=3 m=1
-    result[11] = sin_a * t_32 + cos_a * t_37;     // l=3 m=-1
-    result[14] = cos_2a * t_34 - sin_2a * q_3_2;  // l=3 m=2
-    result[10] = sin_2a * t_34 + cos_2a * q_3_2;  // l=3 m=-2
-    result[15] = cos_3a * t_33 - sin_3a * t_38;   // l=3 m=3
-    result[9] = sin_3a * t_33 + cos_3a * t_38;    // l=3 m=-3
+    float t_35 = q_3_1 - k_6 * q_3_3;
+    float t_36 = v_3_1s - k_6 * v_3_3s;
+    float t_37 = k_11 * t_20;
+    float p_3_2 = k_10 * t_18 * t_36 + t_37 * v_3_2s;
+    float q_3_2 = t_37 * t_36 + cos_2b * v_3_2s;
+    float t_38 = v_3_1s - p_3_2;
+    float t_39 = v_3_3s + k_6 * p_3_2;
+    result[13] = cos_a * t_33 - sin_a * t_38;     // l=3 m=1
+    result[11] = sin_a * t_33 + cos_a * t_38;     // l=3 m=-1
+    result[14] = cos_2a * t_35 - sin_2a * q_3_2;  // l=3 m=2
+    result[10] = sin_2a * t_35 + cos_2a * q_3_2;  // l=3 m=-2
+    result[15] = cos_3a * t_34 - sin_3a * t_39;   // l=3 m=3
+    result[9] = sin_3a * t_34 + cos_3a * t_39;    // l=3 m=-3
     float c21 = c[21];
     float c19 = c[19];
     float v_4_1c = cos_g * c21 - sin_g * c19;
@@ -197,41 +197,41 @@ void rotate_quaternion_l4(float q[4], float c[25], out float result[25]) {
     float v_4_4c = cos_4g * c24 - sin_4g * c16;
     float v_4_4s = sin_4g * c24 + cos_4g * c16;
     float c20 = c[20];
-    float t_39 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
-    float t_40 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
-    float t_41 = k_16 * v_4_1c + v_4_3c;
-    float t_42 = v_4_1c - k_16 * v_4_3c;
-    float t_43 = k_18 * t_19;
-    float p_4_2 = k_17 * t_17 * t_39 - t_43 * t_41;
-    float q_4_2 = k_19 * cos_2b * t_41 - t_43 * t_39;
-    float t_44 = k_21 * t_19 * cos_2b;
-    float p_4_4 = k_20 * t_22 * t_40 + t_44 * t_42;
-    float q_4_4 = t_44 * t_40 + (k_19 - k_22 * t_22) * t_42;
+    float t_40 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
+    float t_41 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
+    float t_42 = k_16 * v_4_1c + v_4_3c;
+    float t_43 = v_4_1c - k_16 * v_4_3c;
+    float t_44 = k_18 * t_20;
+    float p_4_2 = k_17 * t_18 * t_40 - t_44 * t_42;
+    float q_4_2 = k_19 * cos_2b * t_42 - t_44 * t_40;
+    float t_45 = k_21 * t_20 * cos_2b;
+    float p_4_4 = k_20 * t_23 * t_41 + t_45 * t_43;
+    float q_4_4 = t_45 * t_41 + (k_19 - k_22 * t_23) * t_43;
     result[20] = c20 - (p_4_4 - k_12 * p_4_2);    // l=4 m=0
-    float t_45 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
-    float t_46 = v_4_4c - (p_4_2 + k_15 * p_4_4);
-    float t_47 = k_16 * q_4_2 + q_4_4;
-    float t_48 = q_4_2 - k_16 * q_4_4;
-    float t_49 = k_16 * v_4_2s + v_4_4s;
-    float t_50 = v_4_2s - k_16 * v_4_4s;
-    float t_51 = v_4_1s + k_23 * v_4_3s;
-    float t_52 = v_4_3s - k_23 * v_4_1s;
-    float t_53 = k_24 * sin_b;
-    float p_4_1 = k_19 * cos_b * t_49 + t_53 * t_51;
-    float q_4_1 = k_25 * cos_b * t_51 - t_53 * t_49;
-    float t_54 = k_24 * sin_3b;
-    float p_4_3 = k_19 * cos_3b * t_50 - t_54 * t_52;
-    float q_4_3 = t_54 * t_50 + k_25 * cos_3b * t_52;
-    float t_55 = k_16 * p_4_1 + p_4_3;
-    float t_56 = p_4_1 - k_16 * p_4_3;
-    float t_57 = q_4_1 - k_23 * q_4_3;
-    float t_58 = k_23 * q_4_1 + q_4_3;
-    result[21] = cos_a * t_47 - sin_a * t_57;     // l=4 m=1
-    result[19] = sin_a * t_47 + cos_a * t_57;     // l=4 m=-1
-    result[22] = cos_2a * t_45 - sin_2a * t_55;   // l=4 m=2
-    result[18] = sin_2a * t_45 + cos_2a * t_55;   // l=4 m=-2
-    result[23] = cos_3a * t_48 - sin_3a * t_58;   // l=4 m=3
-    result[17] = sin_3a * t_48 + cos_3a * t_58;   // l=4 m=-3
-    result[24] = cos_4a * t_46 - sin_4a * t_56;   // l=4 m=4
-    result[16] = sin_4a * t_46 + cos_4a * t_56;   // l=4 m=-4
+    float t_46 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
+    float t_47 = v_4_4c - (p_4_2 + k_15 * p_4_4);
+    float t_48 = k_16 * q_4_2 + q_4_4;
+    float t_49 = q_4_2 - k_16 * q_4_4;
+    float t_50 = k_16 * v_4_2s + v_4_4s;
+    float t_51 = v_4_2s - k_16 * v_4_4s;
+    float t_52 = v_4_1s + k_23 * v_4_3s;
+    float t_53 = v_4_3s - k_23 * v_4_1s;
+    float t_54 = k_24 * sin_b;
+    float p_4_1 = k_19 * cos_b * t_50 + t_54 * t_52;
+    float q_4_1 = k_25 * cos_b * t_52 - t_54 * t_50;
+    float t_55 = k_24 * sin_3b;
+    float p_4_3 = k_19 * cos_3b * t_51 - t_55 * t_53;
+    float q_4_3 = t_55 * t_51 + k_25 * cos_3b * t_53;
+    float t_56 = k_16 * p_4_1 + p_4_3;
+    float t_57 = p_4_1 - k_16 * p_4_3;
+    float t_58 = q_4_1 - k_23 * q_4_3;
+    float t_59 = k_23 * q_4_1 + q_4_3;
+    result[21] = cos_a * t_48 - sin_a * t_58;     // l=4 m=1
+    result[19] = sin_a * t_48 + cos_a * t_58;     // l=4 m=-1
+    result[22] = cos_2a * t_46 - sin_2a * t_56;   // l=4 m=2
+    result[18] = sin_2a * t_46 + cos_2a * t_56;   // l=4 m=-2
+    result[23] = cos_3a * t_49 - sin_3a * t_59;   // l=4 m=3
+    result[17] = sin_3a * t_49 + cos_3a * t_59;   // l=4 m=-3
+    result[24] = cos_4a * t_47 - sin_4a * t_57;   // l=4 m=4
+    result[16] = sin_4a * t_47 + cos_4a * t_57;   // l=4 m=-4
 }

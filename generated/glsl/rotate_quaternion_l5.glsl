@@ -10,7 +10,7 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         321 multiplications, 193 additions, 1 divisions, 1 square roots, 6 selections; longest chain 29; at
+// Cost:         320 multiplications, 194 additions, 1 divisions, 1 square roots, 6 selections; longest chain 30; at
 //               most 69 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 2.7e-06 (24.2 eps)
@@ -28,60 +28,59 @@ precision highp float;
 #endif
 
 void rotate_quaternion_l5(float q[4], float c[36], out float result[36]) {
-    const float tiny   = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float one    = 1.0;            // 1
-    const float zero   = 0.0;            // 0
-    const float two    = 2.0;            // 2
-    const float half_2 = 0.5;            // 1/2
-    const float k      = 8.0;            // 8
-    const float k_2    = 0.57735026;     // 1/3 sqrt(3)
-    const float k_3    = 6.0;            // 6
-    const float k_4    = 1.7320508;      // sqrt(3)
-    const float k_5    = 0.2581989;      // 1/15 sqrt(15)
-    const float k_6    = 0.7745967;      // 1/5 sqrt(15)
-    const float k_7    = 0.9375;         // 15/16
-    const float k_8    = 0.76546556;     // 5/16 sqrt(6)
-    const float k_9    = 0.625;          // 5/8
-    const float k_10   = 5.0;            // 5
-    const float k_11   = 1.5811388;      // 1/2 sqrt(10)
-    const float k_12   = 0.8451542;      // 1/7 sqrt(35)
-    const float k_13   = 0.75592893;     // 2/7 sqrt(7)
-    const float k_14   = 0.8944272;      // 2/5 sqrt(5)
-    const float k_15   = 0.16903085;     // 1/35 sqrt(35)
-    const float k_16   = 0.37796447;     // 1/7 sqrt(7)
-    const float k_17   = 3.5;            // 7/2
-    const float k_18   = 1.2374369;      // 7/8 sqrt(2)
-    const float k_19   = 0.875;          // 7/8
-    const float k_20   = 4.375;          // 35/8
-    const float k_21   = 2.766993;       // 7/8 sqrt(10)
-    const float k_22   = 1.1338934;      // 3/7 sqrt(7)
-    const float k_23   = 0.8819171;      // 1/3 sqrt(7)
-    const float k_24   = 0.61871845;     // 7/16 sqrt(2)
-    const float k_25   = 0.4375;         // 7/16
-    const float k_26   = 0.70156074;     // 3/16 sqrt(14)
-    const float k_27   = 0.5625;         // 9/16
-    const float k_28   = 0.9660918;      // 1/15 sqrt(210)
-    const float k_29   = 0.4472136;      // 1/5 sqrt(5)
-    const float k_30   = 0.90571105;     // 1/16 sqrt(210)
-    const float k_31   = 0.41926274;     // 3/16 sqrt(5)
-    const float k_32   = 0.7319251;      // 1/14 sqrt(105)
-    const float k_33   = 0.8660254;      // 1/2 sqrt(3)
-    const float k_34   = 0.6573422;      // 1/9 sqrt(35)
-    const float k_35   = 0.38490018;     // 2/9 sqrt(3)
-    const float k_36   = 0.97590005;     // 2/21 sqrt(105)
-    const float k_37   = 0.28171808;     // 1/21 sqrt(35)
-    const float k_38   = 0.6614378;      // 1/4 sqrt(7)
-    const float k_39   = 0.79549515;     // 9/16 sqrt(2)
-    const float k_40   = 0.6328125;      // 81/128
-    const float k_41   = 0.4921875;      // 63/128
-    const float k_42   = 0.46291006;     // 1/14 sqrt(42)
-    const float k_43   = 1.0350983;      // 1/14 sqrt(210)
-    const float k_44   = 0.7200823;      // 1/9 sqrt(42)
-    const float k_45   = 0.248452;       // 1/9 sqrt(5)
-    const float k_46   = 1.145644;       // 1/4 sqrt(21)
-    const float k_47   = 0.75;           // 3/4
-    const float k_48   = 5.0625;         // 81/16
-    const float k_49   = 2.755676;       // 9/8 sqrt(6)
+    const float tiny = 1.9721523e-31;  // 1/5070602400912917605986812821504
+    const float one  = 1.0;            // 1
+    const float zero = 0.0;            // 0
+    const float two  = 2.0;            // 2
+    const float k    = 8.0;            // 8
+    const float k_2  = 0.57735026;     // 1/3 sqrt(3)
+    const float k_3  = 6.0;            // 6
+    const float k_4  = 1.7320508;      // sqrt(3)
+    const float k_5  = 0.2581989;      // 1/15 sqrt(15)
+    const float k_6  = 0.7745967;      // 1/5 sqrt(15)
+    const float k_7  = 0.9375;         // 15/16
+    const float k_8  = 0.76546556;     // 5/16 sqrt(6)
+    const float k_9  = 0.625;          // 5/8
+    const float k_10 = 5.0;            // 5
+    const float k_11 = 1.5811388;      // 1/2 sqrt(10)
+    const float k_12 = 0.8451542;      // 1/7 sqrt(35)
+    const float k_13 = 0.75592893;     // 2/7 sqrt(7)
+    const float k_14 = 0.8944272;      // 2/5 sqrt(5)
+    const float k_15 = 0.16903085;     // 1/35 sqrt(35)
+    const float k_16 = 0.37796447;     // 1/7 sqrt(7)
+    const float k_17 = 3.5;            // 7/2
+    const float k_18 = 1.2374369;      // 7/8 sqrt(2)
+    const float k_19 = 0.875;          // 7/8
+    const float k_20 = 4.375;          // 35/8
+    const float k_21 = 2.766993;       // 7/8 sqrt(10)
+    const float k_22 = 1.1338934;      // 3/7 sqrt(7)
+    const float k_23 = 0.8819171;      // 1/3 sqrt(7)
+    const float k_24 = 0.61871845;     // 7/16 sqrt(2)
+    const float k_25 = 0.4375;         // 7/16
+    const float k_26 = 0.70156074;     // 3/16 sqrt(14)
+    const float k_27 = 0.5625;         // 9/16
+    const float k_28 = 0.9660918;      // 1/15 sqrt(210)
+    const float k_29 = 0.4472136;      // 1/5 sqrt(5)
+    const float k_30 = 0.90571105;     // 1/16 sqrt(210)
+    const float k_31 = 0.41926274;     // 3/16 sqrt(5)
+    const float k_32 = 0.7319251;      // 1/14 sqrt(105)
+    const float k_33 = 0.8660254;      // 1/2 sqrt(3)
+    const float k_34 = 0.6573422;      // 1/9 sqrt(35)
+    const float k_35 = 0.38490018;     // 2/9 sqrt(3)
+    const float k_36 = 0.97590005;     // 2/21 sqrt(105)
+    const float k_37 = 0.28171808;     // 1/21 sqrt(35)
+    const float k_38 = 0.6614378;      // 1/4 sqrt(7)
+    const float k_39 = 0.79549515;     // 9/16 sqrt(2)
+    const float k_40 = 0.6328125;      // 81/128
+    const float k_41 = 0.4921875;      // 63/128
+    const float k_42 = 0.46291006;     // 1/14 sqrt(42)
+    const float k_43 = 1.0350983;      // 1/14 sqrt(210)
+    const float k_44 = 0.7200823;      // 1/9 sqrt(42)
+    const float k_45 = 0.248452;       // 1/9 sqrt(5)
+    const float k_46 = 1.145644;       // 1/4 sqrt(21)
+    const float k_47 = 0.75;           // 3/4
+    const float k_48 = 5.0625;         // 81/16
+    const float k_49 = 2.755676;       // 9/8 sqrt(6)
 
     result[0] = c[0];                                  // l=0 m=0
     float aa = q[0] * q[0] + q[3] * q[3];
@@ -90,61 +89,62 @@ void rotate_quaternion_l5(float q[4], float c[36], out float result[36]) {
     float bb = q[1] * q[1] + q[2] * q[2];
     float b_re = (bb < tiny ? one : q[2]);
     float b_im = (bb < tiny ? zero : q[1]);
-    float inv2 = two / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
-    float inv = sqrt(half_2 * inv2);
-    float t = a_re * b_re;
-    float t_2 = a_im * b_re;
-    float t_3 = a_im * b_im;
-    float t_4 = a_re * b_im;
-    float t_5 = t + t_3;
-    float t_6 = t - t_3;
+    float inv_sq = one / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
+    float inv = sqrt(inv_sq);
+    float t = inv_sq + inv_sq;
+    float t_2 = a_re * b_re;
+    float t_3 = a_im * b_re;
+    float t_4 = a_im * b_im;
+    float t_5 = a_re * b_im;
+    float t_6 = t_2 + t_4;
     float t_7 = t_2 - t_4;
-    float t_8 = t_2 + t_4;
-    float cos_a = t_5 * inv;
-    float sin_a = t_7 * inv;
-    float t_9 = t_7 * inv2;
-    float t_10 = t_9 * t_7;
-    float sin_2a = t_9 * t_5;
-    float t_11 = t_8 * inv2;
-    float cos_2a = one - t_10;
-    float t_12 = cos_2a - t_10;
-    float cos_3a = cos_a * t_12;
-    float sin_3a = sin_a * (t_12 + two);
-    float t_13 = cos_a + cos_a;
-    float cos_4a = t_13 * cos_3a - cos_2a;
-    float sin_4a = t_13 * sin_3a - sin_2a;
-    float cos_5a = t_13 * cos_4a - cos_3a;
-    float sin_5a = t_13 * sin_4a - sin_3a;
-    float cos_g = t_6 * inv;
-    float sin_2g = t_11 * t_6;
-    float t_14 = t_11 * t_8;
-    float sin_g = t_8 * inv;
-    float cos_2g = one - t_14;
-    float t_15 = cos_2g - t_14;
-    float cos_3g = cos_g * t_15;
-    float sin_3g = sin_g * (t_15 + two);
-    float t_16 = cos_g + cos_g;
-    float cos_4g = t_16 * cos_3g - cos_2g;
-    float sin_4g = t_16 * sin_3g - sin_2g;
-    float cos_5g = t_16 * cos_4g - cos_3g;
-    float sin_5g = t_16 * sin_4g - sin_3g;
-    float t_17 = aa * bb;
+    float t_8 = t_3 - t_5;
+    float t_9 = t_3 + t_5;
+    float cos_a = t_6 * inv;
+    float sin_a = t_8 * inv;
+    float t_10 = t_8 * t;
+    float t_11 = t_10 * t_8;
+    float sin_2a = t_10 * t_6;
+    float t_12 = t_9 * t;
+    float cos_2a = one - t_11;
+    float t_13 = cos_2a - t_11;
+    float cos_3a = cos_a * t_13;
+    float sin_3a = sin_a * (t_13 + two);
+    float t_14 = cos_a + cos_a;
+    float cos_4a = t_14 * cos_3a - cos_2a;
+    float sin_4a = t_14 * sin_3a - sin_2a;
+    float cos_5a = t_14 * cos_4a - cos_3a;
+    float sin_5a = t_14 * sin_4a - sin_3a;
+    float cos_g = t_7 * inv;
+    float sin_2g = t_12 * t_7;
+    float t_15 = t_12 * t_9;
+    float sin_g = t_9 * inv;
+    float cos_2g = one - t_15;
+    float t_16 = cos_2g - t_15;
+    float cos_3g = cos_g * t_16;
+    float sin_3g = sin_g * (t_16 + two);
+    float t_17 = cos_g + cos_g;
+    float cos_4g = t_17 * cos_3g - cos_2g;
+    float sin_4g = t_17 * sin_3g - sin_2g;
+    float cos_5g = t_17 * cos_4g - cos_3g;
+    float sin_5g = t_17 * sin_4g - sin_3g;
+    float t_18 = aa * bb;
     float cos_b = aa - bb;
-    float t_18 = t_17 * inv;
-    float sin_b = t_18 + t_18;
-    float t_19 = sin_b * cos_b;
-    float t_20 = k * t_17;
-    float cos_2b = one - t_20;
-    float t_21 = cos_2b - t_20;
-    float t_22 = t_21 + two;
-    float cos_3b = cos_b * t_21;
-    float sin_3b = sin_b * t_22;
-    float t_23 = t_19 * t_19;
-    float t_24 = t_19 * cos_2b;
-    float cos_4b = one - k * t_23;
-    float t_25 = cos_4b + cos_4b;
-    float cos_5b = cos_b * (t_25 - t_21);
-    float t_26 = k_26 * sin_b * (t_25 + t_22);
+    float t_19 = t_18 * inv;
+    float sin_b = t_19 + t_19;
+    float t_20 = sin_b * cos_b;
+    float t_21 = k * t_18;
+    float cos_2b = one - t_21;
+    float t_22 = cos_2b - t_21;
+    float t_23 = t_22 + two;
+    float cos_3b = cos_b * t_22;
+    float sin_3b = sin_b * t_23;
+    float t_24 = t_20 * t_20;
+    float t_25 = t_20 * cos_2b;
+    float cos_4b = one - k * t_24;
+    float t_26 = cos_4b + cos_4b;
+    float cos_5b = cos_b * (t_26 - t_22);
+    float t_27 = k_26 * sin_b * (t_26 + t_23);
     float c3 = c[3];
     float c1 = c[1];
     float v_1_1c = cos_g * c3 - sin_g * c1;
@@ -163,18 +163,18 @@ void rotate_quaternion_l5(float q[4], float c[36], out float result[36]) {
     float v_2_2c = cos_2g * c8 - sin_2g * c4;
     float v_2_2s = sin_2g * c8 + cos_2g * c4;
     float c6 = c[6];
-    float t_27 = c6 - k_2 * v_2_2c;
-    float t_28 = k_4 * t_19;
-    float p_2_2 = k_3 * t_17 * t_27 + t_28 * v_2_1c;
+    float t_28 = c6 - k_2 * v_2_2c;
+    float t_29 = k_4 * t_20;
+    float p_2_2 = k_3 * t_18 * t_28 + t_29 * v_2_1c;
     result[6] = c6 - p_2_2;                            // l=2 m=0
-    float q_2_2 = t_28 * t_27 + cos_2b * v_2_1c;
-    float t_29 = v_2_2c + k_2 * p_2_2;
+    float q_2_2 = t_29 * t_28 + cos_2b * v_2_1c;
+    float t_30 = v_2_2c + k_2 * p_2_2;
     float p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
     float q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
     result[7] = cos_a * q_2_2 - sin_a * q_2_1;         // l=2 m=1
     result[5] = sin_a * q_2_2 + cos_a * q_2_1;         // l=2 m=-1
-    result[8] = cos_2a * t_29 - sin_2a * p_2_1;        // l=2 m=2
-    result[4] = sin_2a * t_29 + cos_2a * p_2_1;        // l=2 m=-2
+    result[8] = cos_2a * t_30 - sin_2a * p_2_1;        // l=2 m=2
+    result[4] = sin_2a * t_30 + cos_2a * p_2_1;        // l=2 m=-2
     float c13 = c[13];
     float c11 = c[11];
     float v_3_1c = cos_g * c13 - sin_g * c11;
@@ -187,34 +187,34 @@ void rotate_quaternion_l5(float q[4], float c[36], out float result[36]) {
     float c9 = c[9];
     float v_3_3c = cos_3g * c15 - sin_3g * c9;
     float v_3_3s = sin_3g * c15 + cos_3g * c9;
-    float t_30 = k_5 * v_3_1c + v_3_3c;
-    float t_31 = v_3_1c - k_5 * v_3_3c;
+    float t_31 = k_5 * v_3_1c + v_3_3c;
+    float t_32 = v_3_1c - k_5 * v_3_3c;
     float c12 = c[12];
-    float t_32 = k_6 * c12 + v_3_2c;
-    float t_33 = c12 - k_6 * v_3_2c;
-    float t_34 = k_8 * sin_b;
-    float p_3_1 = k_7 * cos_b * t_30 + t_34 * t_32;
-    float q_3_1 = k_9 * cos_b * t_32 - t_34 * t_30;
-    float t_35 = k_8 * sin_3b;
-    float p_3_3 = k_7 * cos_3b * t_31 + t_35 * t_33;
-    float q_3_3 = k_9 * cos_3b * t_33 - t_35 * t_31;
-    float t_36 = k_5 * p_3_1 + p_3_3;
-    float t_37 = p_3_1 - k_5 * p_3_3;
+    float t_33 = k_6 * c12 + v_3_2c;
+    float t_34 = c12 - k_6 * v_3_2c;
+    float t_35 = k_8 * sin_b;
+    float p_3_1 = k_7 * cos_b * t_31 + t_35 * t_33;
+    float q_3_1 = k_9 * cos_b * t_33 - t_35 * t_31;
+    float t_36 = k_8 * sin_3b;
+    float p_3_3 = k_7 * cos_3b * t_32 + t_36 * t_34;
+    float q_3_3 = k_9 * cos_3b * t_34 - t_36 * t_32;
+    float t_37 = k_5 * p_3_1 + p_3_3;
+    float t_38 = p_3_1 - k_5 * p_3_3;
     result[12] = k_6 * q_3_1 + q_3_3;                  // l=3 m=0
-    float t_38 = q_3_1 - k_6 * q_3_3;
-    float t_39 = v_3_1s - k_6 * v_3_3s;
-    float t_40 = k_17 * t_17;
-    float t_41 = k_11 * t_19;
-    float p_3_2 = k_10 * t_17 * t_39 + t_41 * v_3_2s;
-    float q_3_2 = t_41 * t_39 + cos_2b * v_3_2s;
-    float t_42 = v_3_1s - p_3_2;
-    float t_43 = v_3_3s + k_6 * p_3_2;
-    result[13] = cos_a * t_36 - sin_a * t_42;          // l=3 m=1
-    result[11] = sin_a * t_36 + cos_a * t_42;          // l=3 m=-1
-    result[14] = cos_2a * t_38 - sin_2a * q_3_2;       // l=3 m=2
-    result[10] = sin_2a * t_38 + cos_2a * q_3_2;       // l=3 m=-2
-    result[15] = cos_3a * t_37 - sin_3a * t_43;        // l=3 m=3
-    result[9] = sin_3a * t_37 + cos_3a * t_43;         // l=3 m=-3
+    float t_39 = q_3_1 - k_6 * q_3_3;
+    float t_40 = v_3_1s - k_6 * v_3_3s;
+    float t_41 = k_17 * t_18;
+    float t_42 = k_11 * t_20;
+    float p_3_2 = k_10 * t_18 * t_40 + t_42 * v_3_2s;
+    float q_3_2 = t_42 * t_40 + cos_2b * v_3_2s;
+    float t_43 = v_3_1s - p_3_2;
+    float t_44 = v_3_3s + k_6 * p_3_2;
+    result[13] = cos_a * t_37 - sin_a * t_43;          // l=3 m=1
+    result[11] = sin_a * t_37 + cos_a * t_43;          // l=3 m=-1
+    result[14] = cos_2a * t_39 - sin_2a * q_3_2;       // l=3 m=2
+    result[10] = sin_2a * t_39 + cos_2a * q_3_2;       // l=3 m=-2
+    result[15] = cos_3a * t_38 - sin_3a * t_44;        // l=3 m=3
+    result[9] = sin_3a * t_38 + cos_3a * t_44;         // l=3 m=-3
     float c21 = c[21];
     float c19 = c[19];
     float v_4_1c = cos_g * c21 - sin_g * c19;
@@ -232,48 +232,48 @@ void rotate_quaternion_l5(float q[4], float c[36], out float result[36]) {
     float v_4_4c = cos_4g * c24 - sin_4g * c16;
     float v_4_4s = sin_4g * c24 + cos_4g * c16;
     float c20 = c[20];
-    float t_44 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
-    float t_45 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
-    float t_46 = k_16 * v_4_1c + v_4_3c;
-    float t_47 = v_4_1c - k_16 * v_4_3c;
-    float t_48 = k_18 * t_19;
-    float t_49 = k_46 * t_19;
-    float q_4_2 = k_19 * cos_2b * t_46 - t_48 * t_44;
-    float p_4_2 = t_40 * t_44 - t_48 * t_46;
-    float t_50 = k_21 * t_24;
-    float p_4_4 = k_20 * t_23 * t_45 + t_50 * t_47;
-    float t_51 = k_49 * t_24;
-    float q_4_4 = t_50 * t_45 + k_19 * cos_4b * t_47;
+    float t_45 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
+    float t_46 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
+    float t_47 = k_16 * v_4_1c + v_4_3c;
+    float t_48 = v_4_1c - k_16 * v_4_3c;
+    float t_49 = k_18 * t_20;
+    float t_50 = k_46 * t_20;
+    float q_4_2 = k_19 * cos_2b * t_47 - t_49 * t_45;
+    float p_4_2 = t_41 * t_45 - t_49 * t_47;
+    float t_51 = k_21 * t_25;
+    float p_4_4 = k_20 * t_24 * t_46 + t_51 * t_48;
+    float t_52 = k_49 * t_25;
+    float q_4_4 = t_51 * t_46 + k_19 * cos_4b * t_48;
     result[20] = c20 - (p_4_4 - k_12 * p_4_2);         // l=4 m=0
-    float t_52 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
-    float t_53 = v_4_4c - (p_4_2 + k_15 * p_4_4);
-    float t_54 = k_16 * q_4_2 + q_4_4;
-    float t_55 = q_4_2 - k_16 * q_4_4;
-    float t_56 = k_16 * v_4_2s + v_4_4s;
-    float t_57 = v_4_2s - k_16 * v_4_4s;
-    float t_58 = k_22 * v_4_1s + v_4_3s;
-    float t_59 = v_4_3s - k_23 * v_4_1s;
-    float t_60 = k_24 * sin_b;
-    float p_4_1 = k_19 * cos_b * t_56 + t_60 * t_58;
-    float t_61 = k_38 * sin_b;
-    float t_62 = k_25 * cos_b;
-    float q_4_1 = t_62 * t_58 - t_60 * t_56;
-    float t_63 = k_26 * sin_3b;
-    float p_4_3 = k_19 * cos_3b * t_57 - t_63 * t_59;
-    float t_64 = k_39 * sin_3b;
-    float q_4_3 = t_63 * t_57 + k_27 * cos_3b * t_59;
-    float t_65 = k_16 * p_4_1 + p_4_3;
-    float t_66 = p_4_1 - k_16 * p_4_3;
-    float t_67 = q_4_1 + q_4_3;
-    float t_68 = k_22 * q_4_1 - k_23 * q_4_3;
-    result[21] = cos_a * t_54 - sin_a * t_68;          // l=4 m=1
-    result[19] = sin_a * t_54 + cos_a * t_68;          // l=4 m=-1
-    result[22] = cos_2a * t_52 - sin_2a * t_65;        // l=4 m=2
-    result[18] = sin_2a * t_52 + cos_2a * t_65;        // l=4 m=-2
-    result[23] = cos_3a * t_55 - sin_3a * t_67;        // l=4 m=3
-    result[17] = sin_3a * t_55 + cos_3a * t_67;        // l=4 m=-3
-    result[24] = cos_4a * t_53 - sin_4a * t_66;        // l=4 m=4
-    result[16] = sin_4a * t_53 + cos_4a * t_66;        // l=4 m=-4
+    float t_53 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
+    float t_54 = v_4_4c - (p_4_2 + k_15 * p_4_4);
+    float t_55 = k_16 * q_4_2 + q_4_4;
+    float t_56 = q_4_2 - k_16 * q_4_4;
+    float t_57 = k_16 * v_4_2s + v_4_4s;
+    float t_58 = v_4_2s - k_16 * v_4_4s;
+    float t_59 = k_22 * v_4_1s + v_4_3s;
+    float t_60 = v_4_3s - k_23 * v_4_1s;
+    float t_61 = k_24 * sin_b;
+    float p_4_1 = k_19 * cos_b * t_57 + t_61 * t_59;
+    float t_62 = k_38 * sin_b;
+    float t_63 = k_25 * cos_b;
+    float q_4_1 = t_63 * t_59 - t_61 * t_57;
+    float t_64 = k_26 * sin_3b;
+    float p_4_3 = k_19 * cos_3b * t_58 - t_64 * t_60;
+    float t_65 = k_39 * sin_3b;
+    float q_4_3 = t_64 * t_58 + k_27 * cos_3b * t_60;
+    float t_66 = k_16 * p_4_1 + p_4_3;
+    float t_67 = p_4_1 - k_16 * p_4_3;
+    float t_68 = q_4_1 + q_4_3;
+    float t_69 = k_22 * q_4_1 - k_23 * q_4_3;
+    result[21] = cos_a * t_55 - sin_a * t_69;          // l=4 m=1
+    result[19] = sin_a * t_55 + cos_a * t_69;          // l=4 m=-1
+    result[22] = cos_2a * t_53 - sin_2a * t_66;        // l=4 m=2
+    result[18] = sin_2a * t_53 + cos_2a * t_66;        // l=4 m=-2
+    result[23] = cos_3a * t_56 - sin_3a * t_68;        // l=4 m=3
+    result[17] = sin_3a * t_56 + cos_3a * t_68;        // l=4 m=-3
+    result[24] = cos_4a * t_54 - sin_4a * t_67;        // l=4 m=4
+    result[16] = sin_4a * t_54 + cos_4a * t_67;        // l=4 m=-4
     float c31 = c[31];
     float c29 = c[29];
     float v_5_1c = cos_g * c31 - sin_g * c29;
@@ -294,48 +294,48 @@ void rotate_quaternion_l5(float q[4], float c[36], out float result[36]) {
     float c25 = c[25];
     float v_5_5c = cos_5g * c35 - sin_5g * c25;
     float v_5_5s = sin_5g * c35 + cos_5g * c25;
-    float t_69 = k_29 * v_5_3c - k_28 * v_5_1c + v_5_5c;
-    float t_70 = v_5_1c + k_30 * t_69;
-    float t_71 = v_5_3c - k_31 * t_69;
-    float t_72 = v_5_5c - k_7 * t_69;
+    float t_70 = k_29 * v_5_3c - k_28 * v_5_1c + v_5_5c;
+    float t_71 = v_5_1c + k_30 * t_70;
+    float t_72 = v_5_3c - k_31 * t_70;
+    float t_73 = v_5_5c - k_7 * t_70;
     float c30 = c[30];
-    float t_73 = k_32 * c30 + v_5_2c + k_33 * v_5_4c;
-    float p_5_1 = cos_b * t_70 + t_61 * t_73;
-    float q_5_1 = t_62 * t_73 - t_61 * t_70;
-    float t_74 = v_5_4c - k_34 * c30 - k_35 * v_5_2c;
-    float t_75 = c30 - k_36 * v_5_2c + k_37 * v_5_4c;
-    float p_5_3 = cos_3b * t_71 - t_64 * t_74;
-    float q_5_3 = t_64 * t_71 + k_40 * cos_3b * t_74;
-    float p_5_5 = cos_5b * t_72 + t_26 * t_75;
-    float q_5_5 = k_41 * cos_5b * t_75 - t_26 * t_72;
-    float t_76 = k_29 * p_5_3 - k_28 * p_5_1 + p_5_5;
-    float t_77 = p_5_1 + k_30 * t_76;
-    float t_78 = p_5_3 - k_31 * t_76;
-    float t_79 = p_5_5 - k_7 * t_76;
+    float t_74 = k_32 * c30 + v_5_2c + k_33 * v_5_4c;
+    float p_5_1 = cos_b * t_71 + t_62 * t_74;
+    float q_5_1 = t_63 * t_74 - t_62 * t_71;
+    float t_75 = v_5_4c - k_34 * c30 - k_35 * v_5_2c;
+    float t_76 = c30 - k_36 * v_5_2c + k_37 * v_5_4c;
+    float p_5_3 = cos_3b * t_72 - t_65 * t_75;
+    float q_5_3 = t_65 * t_72 + k_40 * cos_3b * t_75;
+    float p_5_5 = cos_5b * t_73 + t_27 * t_76;
+    float q_5_5 = k_41 * cos_5b * t_76 - t_27 * t_73;
+    float t_77 = k_29 * p_5_3 - k_28 * p_5_1 + p_5_5;
+    float t_78 = p_5_1 + k_30 * t_77;
+    float t_79 = p_5_3 - k_31 * t_77;
+    float t_80 = p_5_5 - k_7 * t_77;
     result[30] = k_32 * q_5_1 - k_34 * q_5_3 + q_5_5;  // l=5 m=0
-    float t_80 = q_5_1 - k_35 * q_5_3 - k_36 * q_5_5;
-    float t_81 = k_33 * q_5_1 + q_5_3 + k_37 * q_5_5;
-    float t_82 = v_5_1s + k_42 * v_5_3s - k_43 * v_5_5s;
-    float t_83 = v_5_3s - k_44 * v_5_1s - k_45 * v_5_5s;
-    float t_84 = k_2 * v_5_2s + v_5_4s;
-    float t_85 = v_5_2s - k_2 * v_5_4s;
-    float p_5_2 = t_40 * t_82 + t_49 * t_84;
-    float q_5_2 = t_49 * t_82 + k_47 * cos_2b * t_84;
-    float p_5_4 = k_48 * t_23 * t_83 - t_51 * t_85;
-    float q_5_4 = k_47 * cos_4b * t_85 - t_51 * t_83;
-    float t_86 = v_5_1s - (p_5_2 - k_44 * p_5_4);
-    float t_87 = v_5_3s - (k_42 * p_5_2 + p_5_4);
-    float t_88 = v_5_5s + (k_43 * p_5_2 + k_45 * p_5_4);
-    float t_89 = k_2 * q_5_2 + q_5_4;
-    float t_90 = q_5_2 - k_2 * q_5_4;
-    result[31] = cos_a * t_77 - sin_a * t_86;          // l=5 m=1
-    result[29] = sin_a * t_77 + cos_a * t_86;          // l=5 m=-1
-    result[32] = cos_2a * t_80 - sin_2a * t_89;        // l=5 m=2
-    result[28] = sin_2a * t_80 + cos_2a * t_89;        // l=5 m=-2
-    result[33] = cos_3a * t_78 - sin_3a * t_87;        // l=5 m=3
-    result[27] = sin_3a * t_78 + cos_3a * t_87;        // l=5 m=-3
-    result[34] = cos_4a * t_81 - sin_4a * t_90;        // l=5 m=4
-    result[26] = sin_4a * t_81 + cos_4a * t_90;        // l=5 m=-4
-    result[35] = cos_5a * t_79 - sin_5a * t_88;        // l=5 m=5
-    result[25] = sin_5a * t_79 + cos_5a * t_88;        // l=5 m=-5
+    float t_81 = q_5_1 - k_35 * q_5_3 - k_36 * q_5_5;
+    float t_82 = k_33 * q_5_1 + q_5_3 + k_37 * q_5_5;
+    float t_83 = v_5_1s + k_42 * v_5_3s - k_43 * v_5_5s;
+    float t_84 = v_5_3s - k_44 * v_5_1s - k_45 * v_5_5s;
+    float t_85 = k_2 * v_5_2s + v_5_4s;
+    float t_86 = v_5_2s - k_2 * v_5_4s;
+    float p_5_2 = t_41 * t_83 + t_50 * t_85;
+    float q_5_2 = t_50 * t_83 + k_47 * cos_2b * t_85;
+    float p_5_4 = k_48 * t_24 * t_84 - t_52 * t_86;
+    float q_5_4 = k_47 * cos_4b * t_86 - t_52 * t_84;
+    float t_87 = v_5_1s - (p_5_2 - k_44 * p_5_4);
+    float t_88 = v_5_3s - (k_42 * p_5_2 + p_5_4);
+    float t_89 = v_5_5s + (k_43 * p_5_2 + k_45 * p_5_4);
+    float t_90 = k_2 * q_5_2 + q_5_4;
+    float t_91 = q_5_2 - k_2 * q_5_4;
+    result[31] = cos_a * t_78 - sin_a * t_87;          // l=5 m=1
+    result[29] = sin_a * t_78 + cos_a * t_87;          // l=5 m=-1
+    result[32] = cos_2a * t_81 - sin_2a * t_90;        // l=5 m=2
+    result[28] = sin_2a * t_81 + cos_2a * t_90;        // l=5 m=-2
+    result[33] = cos_3a * t_79 - sin_3a * t_88;        // l=5 m=3
+    result[27] = sin_3a * t_79 + cos_3a * t_88;        // l=5 m=-3
+    result[34] = cos_4a * t_82 - sin_4a * t_91;        // l=5 m=4
+    result[26] = sin_4a * t_82 + cos_4a * t_91;        // l=5 m=-4
+    result[35] = cos_5a * t_80 - sin_5a * t_89;        // l=5 m=5
+    result[25] = sin_5a * t_80 + cos_5a * t_89;        // l=5 m=-5
 }

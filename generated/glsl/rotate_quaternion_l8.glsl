@@ -10,7 +10,7 @@
 // Recipe:       zxz
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
-// Cost:         868 multiplications, 574 additions, 1 divisions, 1 square roots, 6 selections; longest chain 36; at
+// Cost:         867 multiplications, 575 additions, 1 divisions, 1 square roots, 6 selections; longest chain 37; at
 //               most 133 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 7.5e-06 (70.3 eps)
@@ -28,201 +28,200 @@ precision highp float;
 #endif
 
 void rotate_quaternion_l8(float q[4], float c[81], out float result[81]) {
-    const float tiny   = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float one    = 1.0;            // 1
-    const float zero   = 0.0;            // 0
-    const float two    = 2.0;            // 2
-    const float half_2 = 0.5;            // 1/2
-    const float k      = 8.0;            // 8
-    const float k_2    = 0.57735026;     // 1/3 sqrt(3)
-    const float k_3    = 6.0;            // 6
-    const float k_4    = 1.7320508;      // sqrt(3)
-    const float k_5    = 0.2581989;      // 1/15 sqrt(15)
-    const float k_6    = 0.7745967;      // 1/5 sqrt(15)
-    const float k_7    = 0.9375;         // 15/16
-    const float k_8    = 0.76546556;     // 5/16 sqrt(6)
-    const float k_9    = 0.625;          // 5/8
-    const float k_10   = 5.0;            // 5
-    const float k_11   = 1.5811388;      // 1/2 sqrt(10)
-    const float k_12   = 0.8451542;      // 1/7 sqrt(35)
-    const float k_13   = 0.75592893;     // 2/7 sqrt(7)
-    const float k_14   = 0.8944272;      // 2/5 sqrt(5)
-    const float k_15   = 0.16903085;     // 1/35 sqrt(35)
-    const float k_16   = 0.37796447;     // 1/7 sqrt(7)
-    const float k_17   = 3.5;            // 7/2
-    const float k_18   = 1.2374369;      // 7/8 sqrt(2)
-    const float k_19   = 0.875;          // 7/8
-    const float k_20   = 4.375;          // 35/8
-    const float k_21   = 2.766993;       // 7/8 sqrt(10)
-    const float k_22   = 1.1338934;      // 3/7 sqrt(7)
-    const float k_23   = 0.8819171;      // 1/3 sqrt(7)
-    const float k_24   = 0.61871845;     // 7/16 sqrt(2)
-    const float k_25   = 0.4375;         // 7/16
-    const float k_26   = 0.70156074;     // 3/16 sqrt(14)
-    const float k_27   = 0.5625;         // 9/16
-    const float k_28   = 0.9660918;      // 1/15 sqrt(210)
-    const float k_29   = 0.4472136;      // 1/5 sqrt(5)
-    const float k_30   = 0.90571105;     // 1/16 sqrt(210)
-    const float k_31   = 0.41926274;     // 3/16 sqrt(5)
-    const float k_32   = 0.7319251;      // 1/14 sqrt(105)
-    const float k_33   = 0.8660254;      // 1/2 sqrt(3)
-    const float k_34   = 0.6573422;      // 1/9 sqrt(35)
-    const float k_35   = 0.38490018;     // 2/9 sqrt(3)
-    const float k_36   = 0.97590005;     // 2/21 sqrt(105)
-    const float k_37   = 0.28171808;     // 1/21 sqrt(35)
-    const float k_38   = 0.6614378;      // 1/4 sqrt(7)
-    const float k_39   = 0.79549515;     // 9/16 sqrt(2)
-    const float k_40   = 0.6328125;      // 81/128
-    const float k_41   = 0.4921875;      // 63/128
-    const float k_42   = 0.46291006;     // 1/14 sqrt(42)
-    const float k_43   = 1.0350983;      // 1/14 sqrt(210)
-    const float k_44   = 0.7200823;      // 1/9 sqrt(42)
-    const float k_45   = 0.248452;       // 1/9 sqrt(5)
-    const float k_46   = 1.145644;       // 1/4 sqrt(21)
-    const float k_47   = 0.75;           // 3/4
-    const float k_48   = 5.0625;         // 81/16
-    const float k_49   = 2.755676;       // 9/8 sqrt(6)
-    const float k_50   = 0.65133893;     // 1/33 sqrt(462)
-    const float k_51   = 0.76409316;     // 17/165 sqrt(55)
-    const float k_52   = 0.24618298;     // 1/33 sqrt(66)
-    const float k_53   = 0.610558;       // 3/13 sqrt(7)
-    const float k_54   = 0.21066253;     // 1/26 sqrt(30)
-    const float k_55   = 0.31246302;     // 1/26 sqrt(66)
-    const float k_56   = 0.36514837;     // 1/15 sqrt(30)
-    const float k_57   = 0.04494666;     // 1/165 sqrt(55)
-    const float k_58   = 0.700649;       // 3/55 sqrt(165)
-    const float k_59   = 0.6324555;      // 1/5 sqrt(10)
-    const float k_60   = 0.8563488;      // 1/15 sqrt(165)
-    const float k_61   = 0.52704626;     // 1/6 sqrt(10)
-    const float k_62   = 0.12309149;     // 1/66 sqrt(66)
-    const float k_63   = 3.8671875;      // 495/128
-    const float k_64   = 1.1163609;      // 165/256 sqrt(3)
-    const float k_65   = 0.64453125;     // 165/256
-    const float k_66   = 5.28125;        // 169/32
-    const float k_67   = 2.225123;       // 13/32 sqrt(30)
-    const float k_68   = 0.46875;        // 15/32
-    const float k_69   = 0.9667969;      // 495/512
-    const float k_70   = 1.2229121;      // 99/256 sqrt(10)
-    const float k_71   = 0.7734375;      // 99/128
-    const float k_72   = 0.2247333;      // 1/33 sqrt(55)
-    const float k_73   = 0.49236596;     // 2/33 sqrt(66)
-    const float k_74   = 0.8215838;      // 3/20 sqrt(30)
-    const float k_75   = 0.6770032;      // 1/12 sqrt(66)
-    const float k_76   = 0.73029673;     // 2/15 sqrt(30)
-    const float k_77   = 0.13483997;     // 1/55 sqrt(55)
-    const float k_78   = 0.59292704;     // 3/16 sqrt(10)
-    const float k_79   = 0.80282706;     // 1/16 sqrt(165)
-    const float k_80   = 0.87945294;     // 3/16 sqrt(22)
-    const float k_81   = 0.6846532;      // 1/8 sqrt(30)
-    const float k_82   = 0.34815532;     // 2/33 sqrt(33)
-    const float k_83   = 0.8941665;      // 7/429 sqrt(3003)
-    const float k_84   = 0.30151135;     // 1/11 sqrt(11)
-    const float k_85   = 0.44249767;     // 2/143 sqrt(1001)
-    const float k_86   = 1.078125;       // 69/64
-    const float k_87   = 0.24356964;     // 9/64 sqrt(3)
-    const float k_88   = 1.609375;       // 103/64
-    const float k_89   = 0.44879395;     // 5/64 sqrt(33)
-    const float k_90   = 0.5700449;      // 11/64 sqrt(11)
-    const float k_91   = 0.8562443;      // 1/64 sqrt(3003)
-    const float k_92   = 0.49435288;     // 1/64 sqrt(1001)
-    const float k_93   = 0.9380832;      // 1/5 sqrt(22)
-    const float k_94   = 0.79721737;     // 1/15 sqrt(143)
-    const float k_95   = 0.54194677;     // 1/143 sqrt(6006)
-    const float k_96   = 0.52961993;     // 19/429 sqrt(143)
-    const float k_97   = 0.13074408;     // 1/39 sqrt(26)
-    const float k_98   = 0.60794735;     // 1/25 sqrt(231)
-    const float k_99   = 0.093808316;    // 1/50 sqrt(22)
-    const float k_100  = 0.50990194;     // 1/10 sqrt(26)
-    const float k_101  = 0.9258201;      // 1/7 sqrt(42)
-    const float k_102  = 0.42640144;     // 1/11 sqrt(22)
-    const float k_103  = 0.0836242;      // 1/143 sqrt(143)
-    const float k_104  = 0.5740992;      // 15/64 sqrt(6)
-    const float k_105  = 0.32958984;     // 675/2048
-    const float k_106  = 0.7927282;      // 3/64 sqrt(286)
-    const float k_107  = 0.62841797;     // 1287/2048
-    const float k_108  = 0.78125;        // 25/32
-    const float k_109  = 0.61035156;     // 625/1024
-    const float k_110  = 0.6991205;      // 1/64 sqrt(2002)
-    const float k_111  = 0.48876953;     // 1001/2048
-    const float k_112  = 0.82117337;     // 15/1001 sqrt(3003)
-    const float k_113  = 0.6005326;      // 19/1001 sqrt(1001)
-    const float k_114  = 0.104828484;    // 1/91 sqrt(91)
-    const float k_115  = 0.6893475;      // 3/25 sqrt(33)
-    const float k_116  = 0.132665;       // 1/25 sqrt(11)
-    const float k_117  = 0.38157567;     // 1/25 sqrt(91)
-    const float k_118  = 0.5025189;      // 5/33 sqrt(11)
-    const float k_119  = 0.07374962;     // 1/429 sqrt(1001)
-    const float k_120  = 0.9198662;      // 1/13 sqrt(143)
-    const float k_121  = 0.78446454;     // 2/13 sqrt(26)
-    const float k_122  = 0.7473913;      // 1/16 sqrt(143)
-    const float k_123  = 0.63737744;     // 1/8 sqrt(26)
-    const float k_124  = 0.8125;         // 13/16
-    const float k_125  = 3.9101562;      // 1001/256
-    const float k_126  = 1.398241;       // 1/32 sqrt(2002)
-    const float k_127  = 4.8828125;      // 625/128
-    const float k_128  = 3.125;          // 25/8
-    const float k_129  = 1.2568359;      // 1287/1024
-    const float k_130  = 1.5854564;      // 3/32 sqrt(286)
-    const float k_131  = 0.5609682;      // 3/143 sqrt(715)
-    const float k_132  = 0.7151843;      // 16/1001 sqrt(2002)
-    const float k_133  = 0.46880722;     // 2/91 sqrt(455)
-    const float k_134  = 0.5633007;      // 1/52 sqrt(858)
-    const float k_135  = 0.44884875;     // 1/273 sqrt(15015)
-    const float k_136  = 0.38516444;     // 3/182 sqrt(546)
-    const float k_137  = 0.45643547;     // 1/12 sqrt(30)
-    const float k_138  = 0.6267832;      // 1/14 sqrt(77)
-    const float k_139  = 0.6847368;      // 8/273 sqrt(546)
-    const float k_140  = 0.117201805;    // 1/182 sqrt(455)
-    const float k_141  = 0.89642143;     // 3/28 sqrt(70)
-    const float k_142  = 0.4767313;      // 1/22 sqrt(110)
-    const float k_143  = 0.12241329;     // 1/1001 sqrt(15015)
-    const float k_144  = 0.011174754;    // 1/4004 sqrt(2002)
-    const float k_145  = 0.1869894;      // 1/143 sqrt(715)
-    const float k_146  = 0.5447048;      // 3/91 sqrt(273)
-    const float k_147  = 0.41137668;     // 1/65 sqrt(715)
-    const float k_148  = 0.9078413;      // 5/91 sqrt(273)
-    const float k_149  = 0.50709254;     // 3/35 sqrt(35)
-    const float k_150  = 0.6456854;      // 1/49 sqrt(1001)
-    const float k_151  = 0.6649638;      // 1/21 sqrt(195)
-    const float k_152  = 0.36220896;     // 3/49 sqrt(35)
-    const float k_153  = 0.6179144;      // 1/55 sqrt(1155)
-    const float k_154  = 0.22124884;     // 1/143 sqrt(1001)
-    const float k_155  = 0.03739788;     // 1/715 sqrt(715)
-    const float k_156  = 0.97753906;     // 1001/1024
-    const float k_157  = 4.265625;       // 273/64
-    const float k_158  = 1.9469825;      // 91/256 sqrt(30)
-    const float k_159  = 0.44433594;     // 455/1024
-    const float k_160  = 1.0664062;      // 273/256
-    const float k_161  = 1.0351876;      // 147/512 sqrt(13)
-    const float k_162  = 0.5024414;      // 1029/2048
-    const float k_163  = 15.640625;      // 1001/64
-    const float k_164  = 4.6735306;      // 143/256 sqrt(70)
-    const float k_165  = 0.6982422;      // 715/1024
-    const float k_166  = 22.34375;       // 715/32
-    const float k_167  = 0.15644656;     // 1/286 sqrt(2002)
-    const float k_168  = 0.32816505;     // 1/65 sqrt(455)
-    const float k_169  = 0.5477226;      // 1/10 sqrt(30)
-    const float k_170  = 0.62928534;     // 3/50 sqrt(110)
-    const float k_171  = 0.7788881;      // 1/30 sqrt(546)
-    const float k_172  = 0.85322917;     // 1/25 sqrt(455)
-    const float k_173  = 0.83357626;     // 1/147 sqrt(15015)
-    const float k_174  = 0.47687027;     // 1/49 sqrt(546)
-    const float k_175  = 0.26082027;     // 1/21 sqrt(30)
-    const float k_176  = 0.9534626;      // 1/11 sqrt(110)
-    const float k_177  = 0.3672399;      // 3/1001 sqrt(15015)
-    const float k_178  = 0.044699017;    // 1/1001 sqrt(2002)
-    const float k_179  = 0.35805744;     // 1/39 sqrt(195)
-    const float k_180  = 0.84731853;     // 2/39 sqrt(273)
-    const float k_181  = 0.41780445;     // 1/64 sqrt(715)
-    const float k_182  = 0.21819125;     // 1/64 sqrt(195)
-    const float k_183  = 0.7745021;      // 3/64 sqrt(273)
-    const float k_184  = 1.703125;       // 109/64
-    const float k_185  = 0.46219373;     // 5/64 sqrt(35)
-    const float k_186  = 1.109375;       // 71/64
-    const float k_187  = 0.8356089;      // 1/32 sqrt(715)
-    const float k_188  = 0.36621094;     // 375/1024
-    const float k_189  = 0.6051536;      // 5/32 sqrt(15)
-    const float k_190  = 0.708831;       // 7/64 sqrt(42)
+    const float tiny  = 1.9721523e-31;  // 1/5070602400912917605986812821504
+    const float one   = 1.0;            // 1
+    const float zero  = 0.0;            // 0
+    const float two   = 2.0;            // 2
+    const float k     = 8.0;            // 8
+    const float k_2   = 0.57735026;     // 1/3 sqrt(3)
+    const float k_3   = 6.0;            // 6
+    const float k_4   = 1.7320508;      // sqrt(3)
+    const float k_5   = 0.2581989;      // 1/15 sqrt(15)
+    const float k_6   = 0.7745967;      // 1/5 sqrt(15)
+    const float k_7   = 0.9375;         // 15/16
+    const float k_8   = 0.76546556;     // 5/16 sqrt(6)
+    const float k_9   = 0.625;          // 5/8
+    const float k_10  = 5.0;            // 5
+    const float k_11  = 1.5811388;      // 1/2 sqrt(10)
+    const float k_12  = 0.8451542;      // 1/7 sqrt(35)
+    const float k_13  = 0.75592893;     // 2/7 sqrt(7)
+    const float k_14  = 0.8944272;      // 2/5 sqrt(5)
+    const float k_15  = 0.16903085;     // 1/35 sqrt(35)
+    const float k_16  = 0.37796447;     // 1/7 sqrt(7)
+    const float k_17  = 3.5;            // 7/2
+    const float k_18  = 1.2374369;      // 7/8 sqrt(2)
+    const float k_19  = 0.875;          // 7/8
+    const float k_20  = 4.375;          // 35/8
+    const float k_21  = 2.766993;       // 7/8 sqrt(10)
+    const float k_22  = 1.1338934;      // 3/7 sqrt(7)
+    const float k_23  = 0.8819171;      // 1/3 sqrt(7)
+    const float k_24  = 0.61871845;     // 7/16 sqrt(2)
+    const float k_25  = 0.4375;         // 7/16
+    const float k_26  = 0.70156074;     // 3/16 sqrt(14)
+    const float k_27  = 0.5625;         // 9/16
+    const float k_28  = 0.9660918;      // 1/15 sqrt(210)
+    const float k_29  = 0.4472136;      // 1/5 sqrt(5)
+    const float k_30  = 0.90571105;     // 1/16 sqrt(210)
+    const float k_31  = 0.41926274;     // 3/16 sqrt(5)
+    const float k_32  = 0.7319251;      // 1/14 sqrt(105)
+    const float k_33  = 0.8660254;      // 1/2 sqrt(3)
+    const float k_34  = 0.6573422;      // 1/9 sqrt(35)
+    const float k_35  = 0.38490018;     // 2/9 sqrt(3)
+    const float k_36  = 0.97590005;     // 2/21 sqrt(105)
+    const float k_37  = 0.28171808;     // 1/21 sqrt(35)
+    const float k_38  = 0.6614378;      // 1/4 sqrt(7)
+    const float k_39  = 0.79549515;     // 9/16 sqrt(2)
+    const float k_40  = 0.6328125;      // 81/128
+    const float k_41  = 0.4921875;      // 63/128
+    const float k_42  = 0.46291006;     // 1/14 sqrt(42)
+    const float k_43  = 1.0350983;      // 1/14 sqrt(210)
+    const float k_44  = 0.7200823;      // 1/9 sqrt(42)
+    const float k_45  = 0.248452;       // 1/9 sqrt(5)
+    const float k_46  = 1.145644;       // 1/4 sqrt(21)
+    const float k_47  = 0.75;           // 3/4
+    const float k_48  = 5.0625;         // 81/16
+    const float k_49  = 2.755676;       // 9/8 sqrt(6)
+    const float k_50  = 0.65133893;     // 1/33 sqrt(462)
+    const float k_51  = 0.76409316;     // 17/165 sqrt(55)
+    const float k_52  = 0.24618298;     // 1/33 sqrt(66)
+    const float k_53  = 0.610558;       // 3/13 sqrt(7)
+    const float k_54  = 0.21066253;     // 1/26 sqrt(30)
+    const float k_55  = 0.31246302;     // 1/26 sqrt(66)
+    const float k_56  = 0.36514837;     // 1/15 sqrt(30)
+    const float k_57  = 0.04494666;     // 1/165 sqrt(55)
+    const float k_58  = 0.700649;       // 3/55 sqrt(165)
+    const float k_59  = 0.6324555;      // 1/5 sqrt(10)
+    const float k_60  = 0.8563488;      // 1/15 sqrt(165)
+    const float k_61  = 0.52704626;     // 1/6 sqrt(10)
+    const float k_62  = 0.12309149;     // 1/66 sqrt(66)
+    const float k_63  = 3.8671875;      // 495/128
+    const float k_64  = 1.1163609;      // 165/256 sqrt(3)
+    const float k_65  = 0.64453125;     // 165/256
+    const float k_66  = 5.28125;        // 169/32
+    const float k_67  = 2.225123;       // 13/32 sqrt(30)
+    const float k_68  = 0.46875;        // 15/32
+    const float k_69  = 0.9667969;      // 495/512
+    const float k_70  = 1.2229121;      // 99/256 sqrt(10)
+    const float k_71  = 0.7734375;      // 99/128
+    const float k_72  = 0.2247333;      // 1/33 sqrt(55)
+    const float k_73  = 0.49236596;     // 2/33 sqrt(66)
+    const float k_74  = 0.8215838;      // 3/20 sqrt(30)
+    const float k_75  = 0.6770032;      // 1/12 sqrt(66)
+    const float k_76  = 0.73029673;     // 2/15 sqrt(30)
+    const float k_77  = 0.13483997;     // 1/55 sqrt(55)
+    const float k_78  = 0.59292704;     // 3/16 sqrt(10)
+    const float k_79  = 0.80282706;     // 1/16 sqrt(165)
+    const float k_80  = 0.87945294;     // 3/16 sqrt(22)
+    const float k_81  = 0.6846532;      // 1/8 sqrt(30)
+    const float k_82  = 0.34815532;     // 2/33 sqrt(33)
+    const float k_83  = 0.8941665;      // 7/429 sqrt(3003)
+    const float k_84  = 0.30151135;     // 1/11 sqrt(11)
+    const float k_85  = 0.44249767;     // 2/143 sqrt(1001)
+    const float k_86  = 1.078125;       // 69/64
+    const float k_87  = 0.24356964;     // 9/64 sqrt(3)
+    const float k_88  = 1.609375;       // 103/64
+    const float k_89  = 0.44879395;     // 5/64 sqrt(33)
+    const float k_90  = 0.5700449;      // 11/64 sqrt(11)
+    const float k_91  = 0.8562443;      // 1/64 sqrt(3003)
+    const float k_92  = 0.49435288;     // 1/64 sqrt(1001)
+    const float k_93  = 0.9380832;      // 1/5 sqrt(22)
+    const float k_94  = 0.79721737;     // 1/15 sqrt(143)
+    const float k_95  = 0.54194677;     // 1/143 sqrt(6006)
+    const float k_96  = 0.52961993;     // 19/429 sqrt(143)
+    const float k_97  = 0.13074408;     // 1/39 sqrt(26)
+    const float k_98  = 0.60794735;     // 1/25 sqrt(231)
+    const float k_99  = 0.093808316;    // 1/50 sqrt(22)
+    const float k_100 = 0.50990194;     // 1/10 sqrt(26)
+    const float k_101 = 0.9258201;      // 1/7 sqrt(42)
+    const float k_102 = 0.42640144;     // 1/11 sqrt(22)
+    const float k_103 = 0.0836242;      // 1/143 sqrt(143)
+    const float k_104 = 0.5740992;      // 15/64 sqrt(6)
+    const float k_105 = 0.32958984;     // 675/2048
+    const float k_106 = 0.7927282;      // 3/64 sqrt(286)
+    const float k_107 = 0.62841797;     // 1287/2048
+    const float k_108 = 0.78125;        // 25/32
+    const float k_109 = 0.61035156;     // 625/1024
+    const float k_110 = 0.6991205;      // 1/64 sqrt(2002)
+    const float k_111 = 0.48876953;     // 1001/2048
+    const float k_112 = 0.82117337;     // 15/1001 sqrt(3003)
+    const float k_113 = 0.6005326;      // 19/1001 sqrt(1001)
+    const float k_114 = 0.104828484;    // 1/91 sqrt(91)
+    const float k_115 = 0.6893475;      // 3/25 sqrt(33)
+    const float k_116 = 0.132665;       // 1/25 sqrt(11)
+    const float k_117 = 0.38157567;     // 1/25 sqrt(91)
+    const float k_118 = 0.5025189;      // 5/33 sqrt(11)
+    const float k_119 = 0.07374962;     // 1/429 sqrt(1001)
+    const float k_120 = 0.9198662;      // 1/13 sqrt(143)
+    const float k_121 = 0.78446454;     // 2/13 sqrt(26)
+    const float k_122 = 0.7473913;      // 1/16 sqrt(143)
+    const float k_123 = 0.63737744;     // 1/8 sqrt(26)
+    const float k_124 = 0.8125;         // 13/16
+    const float k_125 = 3.9101562;      // 1001/256
+    const float k_126 = 1.398241;       // 1/32 sqrt(2002)
+    const float k_127 = 4.8828125;      // 625/128
+    const float k_128 = 3.125;          // 25/8
+    const float k_129 = 1.2568359;      // 1287/1024
+    const float k_130 = 1.5854564;      // 3/32 sqrt(286)
+    const float k_131 = 0.5609682;      // 3/143 sqrt(715)
+    const float k_132 = 0.7151843;      // 16/1001 sqrt(2002)
+    const float k_133 = 0.46880722;     // 2/91 sqrt(455)
+    const float k_134 = 0.5633007;      // 1/52 sqrt(858)
+    const float k_135 = 0.44884875;     // 1/273 sqrt(15015)
+    const float k_136 = 0.38516444;     // 3/182 sqrt(546)
+    const float k_137 = 0.45643547;     // 1/12 sqrt(30)
+    const float k_138 = 0.6267832;      // 1/14 sqrt(77)
+    const float k_139 = 0.6847368;      // 8/273 sqrt(546)
+    const float k_140 = 0.117201805;    // 1/182 sqrt(455)
+    const float k_141 = 0.89642143;     // 3/28 sqrt(70)
+    const float k_142 = 0.4767313;      // 1/22 sqrt(110)
+    const float k_143 = 0.12241329;     // 1/1001 sqrt(15015)
+    const float k_144 = 0.011174754;    // 1/4004 sqrt(2002)
+    const float k_145 = 0.1869894;      // 1/143 sqrt(715)
+    const float k_146 = 0.5447048;      // 3/91 sqrt(273)
+    const float k_147 = 0.41137668;     // 1/65 sqrt(715)
+    const float k_148 = 0.9078413;      // 5/91 sqrt(273)
+    const float k_149 = 0.50709254;     // 3/35 sqrt(35)
+    const float k_150 = 0.6456854;      // 1/49 sqrt(1001)
+    const float k_151 = 0.6649638;      // 1/21 sqrt(195)
+    const float k_152 = 0.36220896;     // 3/49 sqrt(35)
+    const float k_153 = 0.6179144;      // 1/55 sqrt(1155)
+    const float k_154 = 0.22124884;     // 1/143 sqrt(1001)
+    const float k_155 = 0.03739788;     // 1/715 sqrt(715)
+    const float k_156 = 0.97753906;     // 1001/1024
+    const float k_157 = 4.265625;       // 273/64
+    const float k_158 = 1.9469825;      // 91/256 sqrt(30)
+    const float k_159 = 0.44433594;     // 455/1024
+    const float k_160 = 1.0664062;      // 273/256
+    const float k_161 = 1.0351876;      // 147/512 sqrt(13)
+    const float k_162 = 0.5024414;      // 1029/2048
+    const float k_163 = 15.640625;      // 1001/64
+    const float k_164 = 4.6735306;      // 143/256 sqrt(70)
+    const float k_165 = 0.6982422;      // 715/1024
+    const float k_166 = 22.34375;       // 715/32
+    const float k_167 = 0.15644656;     // 1/286 sqrt(2002)
+    const float k_168 = 0.32816505;     // 1/65 sqrt(455)
+    const float k_169 = 0.5477226;      // 1/10 sqrt(30)
+    const float k_170 = 0.62928534;     // 3/50 sqrt(110)
+    const float k_171 = 0.7788881;      // 1/30 sqrt(546)
+    const float k_172 = 0.85322917;     // 1/25 sqrt(455)
+    const float k_173 = 0.83357626;     // 1/147 sqrt(15015)
+    const float k_174 = 0.47687027;     // 1/49 sqrt(546)
+    const float k_175 = 0.26082027;     // 1/21 sqrt(30)
+    const float k_176 = 0.9534626;      // 1/11 sqrt(110)
+    const float k_177 = 0.3672399;      // 3/1001 sqrt(15015)
+    const float k_178 = 0.044699017;    // 1/1001 sqrt(2002)
+    const float k_179 = 0.35805744;     // 1/39 sqrt(195)
+    const float k_180 = 0.84731853;     // 2/39 sqrt(273)
+    const float k_181 = 0.41780445;     // 1/64 sqrt(715)
+    const float k_182 = 0.21819125;     // 1/64 sqrt(195)
+    const float k_183 = 0.7745021;      // 3/64 sqrt(273)
+    const float k_184 = 1.703125;       // 109/64
+    const float k_185 = 0.46219373;     // 5/64 sqrt(35)
+    const float k_186 = 1.109375;       // 71/64
+    const float k_187 = 0.8356089;      // 1/32 sqrt(715)
+    const float k_188 = 0.36621094;     // 375/1024
+    const float k_189 = 0.6051536;      // 5/32 sqrt(15)
+    const float k_190 = 0.708831;       // 7/64 sqrt(42)
 
     result[0] = c[0];                                                                    // l=0 m=0
     float aa = q[0] * q[0] + q[3] * q[3];
@@ -231,83 +230,84 @@ void rotate_quaternion_l8(float q[4], float c[81], out float result[81]) {
     float bb = q[1] * q[1] + q[2] * q[2];
     float b_re = (bb < tiny ? one : q[2]);
     float b_im = (bb < tiny ? zero : q[1]);
-    float inv2 = two / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
-    float inv = sqrt(half_2 * inv2);
-    float t = a_re * b_re;
-    float t_2 = a_im * b_re;
-    float t_3 = a_im * b_im;
-    float t_4 = a_re * b_im;
-    float t_5 = t + t_3;
-    float t_6 = t - t_3;
+    float inv_sq = one / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
+    float inv = sqrt(inv_sq);
+    float t = inv_sq + inv_sq;
+    float t_2 = a_re * b_re;
+    float t_3 = a_im * b_re;
+    float t_4 = a_im * b_im;
+    float t_5 = a_re * b_im;
+    float t_6 = t_2 + t_4;
     float t_7 = t_2 - t_4;
-    float t_8 = t_2 + t_4;
-    float cos_a = t_5 * inv;
-    float sin_a = t_7 * inv;
-    float t_9 = t_7 * inv2;
-    float t_10 = t_9 * t_7;
-    float sin_2a = t_9 * t_5;
-    float t_11 = t_8 * inv2;
-    float cos_2a = one - t_10;
-    float t_12 = cos_2a - t_10;
-    float cos_3a = cos_a * t_12;
-    float sin_3a = sin_a * (t_12 + two);
-    float t_13 = cos_a + cos_a;
-    float cos_4a = t_13 * cos_3a - cos_2a;
-    float sin_4a = t_13 * sin_3a - sin_2a;
-    float cos_5a = t_13 * cos_4a - cos_3a;
-    float sin_5a = t_13 * sin_4a - sin_3a;
-    float cos_6a = t_13 * cos_5a - cos_4a;
-    float sin_6a = t_13 * sin_5a - sin_4a;
-    float cos_7a = t_13 * cos_6a - cos_5a;
-    float sin_7a = t_13 * sin_6a - sin_5a;
+    float t_8 = t_3 - t_5;
+    float t_9 = t_3 + t_5;
+    float cos_a = t_6 * inv;
+    float sin_a = t_8 * inv;
+    float t_10 = t_8 * t;
+    float t_11 = t_10 * t_8;
+    float sin_2a = t_10 * t_6;
+    float t_12 = t_9 * t;
+    float cos_2a = one - t_11;
+    float t_13 = cos_2a - t_11;
+    float cos_3a = cos_a * t_13;
+    float sin_3a = sin_a * (t_13 + two);
+    float t_14 = cos_a + cos_a;
+    float cos_4a = t_14 * cos_3a - cos_2a;
+    float sin_4a = t_14 * sin_3a - sin_2a;
+    float cos_5a = t_14 * cos_4a - cos_3a;
+    float sin_5a = t_14 * sin_4a - sin_3a;
+    float cos_6a = t_14 * cos_5a - cos_4a;
+    float sin_6a = t_14 * sin_5a - sin_4a;
+    float cos_7a = t_14 * cos_6a - cos_5a;
+    float sin_7a = t_14 * sin_6a - sin_5a;
     float cos_8a = cos_4a * cos_4a - sin_4a * sin_4a;
     float sin_8a = (sin_4a + sin_4a) * cos_4a;
-    float cos_g = t_6 * inv;
-    float sin_2g = t_11 * t_6;
-    float t_14 = t_11 * t_8;
-    float sin_g = t_8 * inv;
-    float cos_2g = one - t_14;
-    float t_15 = cos_2g - t_14;
-    float cos_3g = cos_g * t_15;
-    float sin_3g = sin_g * (t_15 + two);
-    float t_16 = cos_g + cos_g;
-    float cos_4g = t_16 * cos_3g - cos_2g;
-    float sin_4g = t_16 * sin_3g - sin_2g;
-    float cos_5g = t_16 * cos_4g - cos_3g;
-    float sin_5g = t_16 * sin_4g - sin_3g;
-    float cos_6g = t_16 * cos_5g - cos_4g;
-    float sin_6g = t_16 * sin_5g - sin_4g;
-    float cos_7g = t_16 * cos_6g - cos_5g;
-    float sin_7g = t_16 * sin_6g - sin_5g;
+    float cos_g = t_7 * inv;
+    float sin_2g = t_12 * t_7;
+    float t_15 = t_12 * t_9;
+    float sin_g = t_9 * inv;
+    float cos_2g = one - t_15;
+    float t_16 = cos_2g - t_15;
+    float cos_3g = cos_g * t_16;
+    float sin_3g = sin_g * (t_16 + two);
+    float t_17 = cos_g + cos_g;
+    float cos_4g = t_17 * cos_3g - cos_2g;
+    float sin_4g = t_17 * sin_3g - sin_2g;
+    float cos_5g = t_17 * cos_4g - cos_3g;
+    float sin_5g = t_17 * sin_4g - sin_3g;
+    float cos_6g = t_17 * cos_5g - cos_4g;
+    float sin_6g = t_17 * sin_5g - sin_4g;
+    float cos_7g = t_17 * cos_6g - cos_5g;
+    float sin_7g = t_17 * sin_6g - sin_5g;
     float cos_8g = cos_4g * cos_4g - sin_4g * sin_4g;
     float sin_8g = (sin_4g + sin_4g) * cos_4g;
-    float t_17 = aa * bb;
+    float t_18 = aa * bb;
     float cos_b = aa - bb;
-    float t_18 = t_17 * inv;
-    float sin_b = t_18 + t_18;
-    float t_19 = sin_b * cos_b;
-    float t_20 = k * t_17;
-    float cos_2b = one - t_20;
-    float t_21 = cos_2b - t_20;
-    float t_22 = t_21 + two;
-    float cos_3b = cos_b * t_21;
-    float sin_3b = sin_b * t_22;
-    float t_23 = t_19 * t_19;
-    float t_24 = t_19 * cos_2b;
-    float cos_4b = one - k * t_23;
-    float t_25 = cos_4b + cos_4b;
-    float t_26 = t_25 - t_21;
-    float t_27 = t_25 + t_22;
-    float cos_5b = cos_b * t_26;
-    float sin_5b = sin_b * t_27;
-    float t_28 = sin_3b * sin_3b;
-    float t_29 = sin_3b * cos_3b;
-    float cos_6b = one - two * t_28;
-    float t_30 = cos_6b + cos_6b;
-    float cos_7b = cos_b * (t_30 - t_26);
-    float t_31 = k_110 * sin_b * (t_30 + t_27);
-    float t_32 = t_24 * t_24;
-    float t_33 = k_164 * t_24 * cos_4b;
+    float t_19 = t_18 * inv;
+    float sin_b = t_19 + t_19;
+    float t_20 = sin_b * cos_b;
+    float t_21 = k * t_18;
+    float cos_2b = one - t_21;
+    float t_22 = cos_2b - t_21;
+    float t_23 = t_22 + two;
+    float cos_3b = cos_b * t_22;
+    float sin_3b = sin_b * t_23;
+    float t_24 = t_20 * t_20;
+    float t_25 = t_20 * cos_2b;
+    float cos_4b = one - k * t_24;
+    float t_26 = cos_4b + cos_4b;
+    float t_27 = t_26 - t_22;
+    float t_28 = t_26 + t_23;
+    float cos_5b = cos_b * t_27;
+    float sin_5b = sin_b * t_28;
+    float t_29 = sin_3b * sin_3b;
+    float t_30 = sin_3b * cos_3b;
+    float cos_6b = one - two * t_29;
+    float t_31 = cos_6b + cos_6b;
+    float cos_7b = cos_b * (t_31 - t_27);
+    float t_32 = k_110 * sin_b * (t_31 + t_28);
+    float t_33 = t_25 * t_25;
+    float t_34 = k_164 * t_25 * cos_4b;
     float c3 = c[3];
     float c1 = c[1];
     float v_1_1c = cos_g * c3 - sin_g * c1;
@@ -326,18 +326,18 @@ void rotate_quaternion_l8(float q[4], float c[81], out float result[81]) {
     float v_2_2c = cos_2g * c8 - sin_2g * c4;
     float v_2_2s = sin_2g * c8 + cos_2g * c4;
     float c6 = c[6];
-    float t_34 = c6 - k_2 * v_2_2c;
-    float t_35 = k_4 * t_19;
-    float p_2_2 = k_3 * t_17 * t_34 + t_35 * v_2_1c;
+    float t_35 = c6 - k_2 * v_2_2c;
+    float t_36 = k_4 * t_20;
+    float p_2_2 = k_3 * t_18 * t_35 + t_36 * v_2_1c;
     result[6] = c6 - p_2_2;                                                              // l=2 m=0
-    float q_2_2 = t_35 * t_34 + cos_2b * v_2_1c;
-    float t_36 = v_2_2c + k_2 * p_2_2;
+    float q_2_2 = t_36 * t_35 + cos_2b * v_2_1c;
+    float t_37 = v_2_2c + k_2 * p_2_2;
     float p_2_1 = cos_b * v_2_2s + sin_b * v_2_1s;
     float q_2_1 = cos_b * v_2_1s - sin_b * v_2_2s;
     result[7] = cos_a * q_2_2 - sin_a * q_2_1;                                           // l=2 m=1
     result[5] = sin_a * q_2_2 + cos_a * q_2_1;                                           // l=2 m=-1
-    result[8] = cos_2a * t_36 - sin_2a * p_2_1;                                          // l=2 m=2
-    result[4] = sin_2a * t_36 + cos_2a * p_2_1;                                          // l=2 m=-2
+    result[8] = cos_2a * t_37 - sin_2a * p_2_1;                                          // l=2 m=2
+    result[4] = sin_2a * t_37 + cos_2a * p_2_1;                                          // l=2 m=-2
     float c13 = c[13];
     float c11 = c[11];
     float v_3_1c = cos_g * c13 - sin_g * c11;
@@ -350,33 +350,33 @@ void rotate_quaternion_l8(float q[4], float c[81], out float result[81]) {
     float c9 = c[9];
     float v_3_3c = cos_3g * c15 - sin_3g * c9;
     float v_3_3s = sin_3g * c15 + cos_3g * c9;
-    float t_37 = k_5 * v_3_1c + v_3_3c;
-    float t_38 = v_3_1c - k_5 * v_3_3c;
+    float t_38 = k_5 * v_3_1c + v_3_3c;
+    float t_39 = v_3_1c - k_5 * v_3_3c;
     float c12 = c[12];
-    float t_39 = k_6 * c12 + v_3_2c;
-    float t_40 = c12 - k_6 * v_3_2c;
-    float t_41 = k_8 * sin_b;
-    float p_3_1 = k_7 * cos_b * t_37 + t_41 * t_39;
-    float q_3_1 = k_9 * cos_b * t_39 - t_41 * t_37;
-    float t_42 = k_8 * sin_3b;
-    float p_3_3 = k_7 * cos_3b * t_38 + t_42 * t_40;
-    float q_3_3 = k_9 * cos_3b * t_40 - t_42 * t_38;
-    float t_43 = k_5 * p_3_1 + p_3_3;
-    float t_44 = p_3_1 - k_5 * p_3_3;
+    float t_40 = k_6 * c12 + v_3_2c;
+    float t_41 = c12 - k_6 * v_3_2c;
+    float t_42 = k_8 * sin_b;
+    float p_3_1 = k_7 * cos_b * t_38 + t_42 * t_40;
+    float q_3_1 = k_9 * cos_b * t_40 - t_42 * t_38;
+    float t_43 = k_8 * sin_3b;
+    float p_3_3 = k_7 * cos_3b * t_39 + t_43 * t_41;
+    float q_3_3 = k_9 * cos_3b * t_41 - t_43 * t_39;
+    float t_44 = k_5 * p_3_1 + p_3_3;
+    float t_45 = p_3_1 - k_5 * p_3_3;
     result[12] = k_6 * q_3_1 + q_3_3;                                                    // l=3 m=0
-    float t_45 = q_3_1 - k_6 * q_3_3;
-    float t_46 = v_3_1s - k_6 * v_3_3s;
-    float t_47 = k_11 * t_19;
-    float p_3_2 = k_10 * t_17 * t_46 + t_47 * v_3_2s;
-    float q_3_2 = t_47 * t_46 + cos_2b * v_3_2s;
-    float t_48 = v_3_1s - p_3_2;
-    float t_49 = v_3_3s + k_6 * p_3_2;
-    result[13] = cos_a * t_43 - sin_a * t_48;                                            // l=3 m=1
-    result[11] = sin_a * t_43 + cos_a * t_48;                                            // l=3 m=-1
-    result[14] = cos_2a * t_45 - sin_2a * q_3_2;                                         // l=3 m=2
-    result[10] = sin_2a * t_45 + cos_2a * q_3_2;                                         // l=3 m=-2
-    result[15] = cos_3a * t_44 - sin_3a * t_49;                                          // l=3 m=3
-    result[9] = sin_3a * t_44 + cos_3a * t_49;                                           // l=3 m=-3
+    float t_46 = q_3_1 - k_6 * q_3_3;
+    float t_47 = v_3_1s - k_6 * v_3_3s;
+    float t_48 = k_11 * t_20;
+    float p_3_2 = k_10 * t_18 * t_47 + t_48 * v_3_2s;
+    float q_3_2 = t_48 * t_47 + cos_2b * v_3_2s;
+    float t_49 = v_3_1s - p_3_2;
+    float t_50 = v_3_3s + k_6 * p_3_2;
+    result[13] = cos_a * t_44 - sin_a * t_49;                                            // l=3 m=1
+    result[11] = sin_a * t_44 + cos_a * t_49;                                            // l=3 m=-1
+    result[14] = cos_2a * t_46 - sin_2a * q_3_2;                                         // l=3 m=2
+    result[10] = sin_2a * t_46 + cos_2a * q_3_2;                                         // l=3 m=-2
+    result[15] = cos_3a * t_45 - sin_3a * t_50;                                          // l=3 m=3
+    result[9] = sin_3a * t_45 + cos_3a * t_50;                                           // l=3 m=-3
     float c21 = c[21];
     float c19 = c[19];
     float v_4_1c = cos_g * c21 - sin_g * c19;
@@ -394,45 +394,45 @@ void rotate_quaternion_l8(float q[4], float c[81], out float result[81]) {
     float v_4_4c = cos_4g * c24 - sin_4g * c16;
     float v_4_4s = sin_4g * c24 + cos_4g * c16;
     float c20 = c[20];
-    float t_50 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
-    float t_51 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
-    float t_52 = k_16 * v_4_1c + v_4_3c;
-    float t_53 = v_4_1c - k_16 * v_4_3c;
-    float t_54 = k_17 * t_17;
-    float t_55 = k_18 * t_19;
-    float q_4_2 = k_19 * cos_2b * t_52 - t_55 * t_50;
-    float p_4_2 = t_54 * t_50 - t_55 * t_52;
-    float t_56 = k_21 * t_24;
-    float p_4_4 = k_20 * t_23 * t_51 + t_56 * t_53;
-    float q_4_4 = t_56 * t_51 + k_19 * cos_4b * t_53;
+    float t_51 = v_4_4c - k_12 * c20 - k_13 * v_4_2c;
+    float t_52 = c20 - k_14 * v_4_2c + k_15 * v_4_4c;
+    float t_53 = k_16 * v_4_1c + v_4_3c;
+    float t_54 = v_4_1c - k_16 * v_4_3c;
+    float t_55 = k_17 * t_18;
+    float t_56 = k_18 * t_20;
+    float q_4_2 = k_19 * cos_2b * t_53 - t_56 * t_51;
+    float p_4_2 = t_55 * t_51 - t_56 * t_53;
+    float t_57 = k_21 * t_25;
+    float p_4_4 = k_20 * t_24 * t_52 + t_57 * t_54;
+    float q_4_4 = t_57 * t_52 + k_19 * cos_4b * t_54;
     result[20] = c20 - (p_4_4 - k_12 * p_4_2);                                           // l=4 m=0
-    float t_57 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
-    float t_58 = v_4_4c - (p_4_2 + k_15 * p_4_4);
-    float t_59 = k_16 * q_4_2 + q_4_4;
-    float t_60 = q_4_2 - k_16 * q_4_4;
-    float t_61 = k_16 * v_4_2s + v_4_4s;
-    float t_62 = v_4_2s - k_16 * v_4_4s;
-    float t_63 = k_22 * v_4_1s + v_4_3s;
-    float t_64 = v_4_3s - k_23 * v_4_1s;
-    float t_65 = k_24 * sin_b;
-    float p_4_1 = k_19 * cos_b * t_61 + t_65 * t_63;
-    float t_66 = k_25 * cos_b;
-    float q_4_1 = t_66 * t_63 - t_65 * t_61;
-    float t_67 = k_26 * sin_3b;
-    float p_4_3 = k_19 * cos_3b * t_62 - t_67 * t_64;
-    float q_4_3 = t_67 * t_62 + k_27 * cos_3b * t_64;
-    float t_68 = k_16 * p_4_1 + p_4_3;
-    float t_69 = p_4_1 - k_16 * p_4_3;
-    float t_70 = q_4_1 + q_4_3;
-    float t_71 = k_22 * q_4_1 - k_23 * q_4_3;
-    result[21] = cos_a * t_59 - sin_a * t_71;                                            // l=4 m=1
-    result[19] = sin_a * t_59 + cos_a * t_71;                                            // l=4 m=-1
-    result[22] = cos_2a * t_57 - sin_2a * t_68;                                          // l=4 m=2
-    result[18] = sin_2a * t_57 + cos_2a * t_68;                                          // l=4 m=-2
-    result[23] = cos_3a * t_60 - sin_3a * t_70;                                          // l=4 m=3
-    result[17] = sin_3a * t_60 + cos_3a * t_70;                                          // l=4 m=-3
-    result[24] = cos_4a * t_58 - sin_4a * t_69;                                          // l=4 m=4
-    result[16] = sin_4a * t_58 + cos_4a * t_69;                                          // l=4 m=-4
+    float t_58 = v_4_2c + (k_13 * p_4_2 + k_14 * p_4_4);
+    float t_59 = v_4_4c - (p_4_2 + k_15 * p_4_4);
+    float t_60 = k_16 * q_4_2 + q_4_4;
+    float t_61 = q_4_2 - k_16 * q_4_4;
+    float t_62 = k_16 * v_4_2s + v_4_4s;
+    float t_63 = v_4_2s - k_16 * v_4_4s;
+    float t_64 = k_22 * v_4_1s + v_4_3s;
+    float t_65 = v_4_3s - k_23 * v_4_1s;
+    float t_66 = k_24 * sin_b;
+    float p_4_1 = k_19 * cos_b * t_62 + t_66 * t_64;
+    float t_67 = k_25 * cos_b;
+    float q_4_1 = t_67 * t_64 - t_66 * t_62;
+    float t_68 = k_26 * sin_3b;
+    float p_4_3 = k_19 * cos_3b * t_63 - t_68 * t_65;
+    float q_4_3 = t_68 * t_63 + k_27 * cos_3b * t_65;
+    float t_69 = k_16 * p_4_1 + p_4_3;
+    float t_70 = p_4_1 - k_16 * p_4_3;
+    float t_71 = q_4_1 + q_4_3;
+    float t_72 = k_22 * q_4_1 - k_23 * q_4_3;
+    result[21] = cos_a * t_60 - sin_a * t_72;                                            // l=4 m=1
+    result[19] = sin_a * t_60 + cos_a * t_72;                                            // l=4 m=-1
+    result[22] = cos_2a * t_58 - sin_2a * t_69;                                          // l=4 m=2
+    result[18] = sin_2a * t_58 + cos_2a * t_69;                                          // l=4 m=-2
+    result[23] = cos_3a * t_61 - sin_3a * t_71;                                          // l=4 m=3
+    result[17] = sin_3a * t_61 + cos_3a * t_71;                                          // l=4 m=-3
+    result[24] = cos_4a * t_59 - sin_4a * t_70;                                          // l=4 m=4
+    result[16] = sin_4a * t_59 + cos_4a * t_70;                                          // l=4 m=-4
     float c31 = c[31];
     float c29 = c[29];
     float v_5_1c = cos_g * c31 - sin_g * c29;
@@ -453,55 +453,55 @@ void rotate_quaternion_l8(float q[4], float c[81], out float result[81]) {
     float c25 = c[25];
     float v_5_5c = cos_5g * c35 - sin_5g * c25;
     float v_5_5s = sin_5g * c35 + cos_5g * c25;
-    float t_72 = k_29 * v_5_3c - k_28 * v_5_1c + v_5_5c;
-    float t_73 = v_5_1c + k_30 * t_72;
-    float t_74 = v_5_3c - k_31 * t_72;
-    float t_75 = v_5_5c - k_7 * t_72;
+    float t_73 = k_29 * v_5_3c - k_28 * v_5_1c + v_5_5c;
+    float t_74 = v_5_1c + k_30 * t_73;
+    float t_75 = v_5_3c - k_31 * t_73;
+    float t_76 = v_5_5c - k_7 * t_73;
     float c30 = c[30];
-    float t_76 = k_32 * c30 + v_5_2c + k_33 * v_5_4c;
-    float t_77 = v_5_4c - k_34 * c30 - k_35 * v_5_2c;
-    float t_78 = c30 - k_36 * v_5_2c + k_37 * v_5_4c;
-    float t_79 = k_38 * sin_b;
-    float q_5_1 = t_66 * t_76 - t_79 * t_73;
-    float p_5_1 = cos_b * t_73 + t_79 * t_76;
-    float t_80 = k_39 * sin_3b;
-    float q_5_3 = t_80 * t_74 + k_40 * cos_3b * t_77;
-    float p_5_3 = cos_3b * t_74 - t_80 * t_77;
-    float t_81 = k_26 * sin_5b;
-    float q_5_5 = k_41 * cos_5b * t_78 - t_81 * t_75;
-    float p_5_5 = cos_5b * t_75 + t_81 * t_78;
-    float t_82 = k_29 * p_5_3 - k_28 * p_5_1 + p_5_5;
-    float t_83 = p_5_1 + k_30 * t_82;
-    float t_84 = p_5_3 - k_31 * t_82;
-    float t_85 = p_5_5 - k_7 * t_82;
+    float t_77 = k_32 * c30 + v_5_2c + k_33 * v_5_4c;
+    float t_78 = v_5_4c - k_34 * c30 - k_35 * v_5_2c;
+    float t_79 = c30 - k_36 * v_5_2c + k_37 * v_5_4c;
+    float t_80 = k_38 * sin_b;
+    float q_5_1 = t_67 * t_77 - t_80 * t_74;
+    float p_5_1 = cos_b * t_74 + t_80 * t_77;
+    float t_81 = k_39 * sin_3b;
+    float q_5_3 = t_81 * t_75 + k_40 * cos_3b * t_78;
+    float p_5_3 = cos_3b * t_75 - t_81 * t_78;
+    float t_82 = k_26 * sin_5b;
+    float q_5_5 = k_41 * cos_5b * t_79 - t_82 * t_76;
+    float p_5_5 = cos_5b * t_76 + t_82 * t_79;
+    float t_83 = k_29 * p_5_3 - k_28 * p_5_1 + p_5_5;
+    float t_84 = p_5_1 + k_30 * t_83;
+    float t_85 = p_5_3 - k_31 * t_83;
+    float t_86 = p_5_5 - k_7 * t_83;
     result[30] = k_32 * q_5_1 - k_34 * q_5_3 + q_5_5;                                    // l=5 m=0
-    float t_86 = q_5_1 - k_35 * q_5_3 - k_36 * q_5_5;
-    float t_87 = k_33 * q_5_1 + q_5_3 + k_37 * q_5_5;
-    float t_88 = v_5_1s + k_42 * v_5_3s - k_43 * v_5_5s;
-    float t_89 = v_5_3s - k_44 * v_5_1s - k_45 * v_5_5s;
-    float t_90 = k_2 * v_5_2s + v_5_4s;
-    float t_91 = v_5_2s - k_2 * v_5_4s;
-    float t_92 = k_46 * t_19;
-    float p_5_2 = t_54 * t_88 + t_92 * t_90;
-    float q_5_2 = t_92 * t_88 + k_47 * cos_2b * t_90;
-    float t_93 = k_49 * t_24;
-    float p_5_4 = k_48 * t_23 * t_89 - t_93 * t_91;
-    float q_5_4 = k_47 * cos_4b * t_91 - t_93 * t_89;
-    float t_94 = v_5_1s - (p_5_2 - k_44 * p_5_4);
-    float t_95 = v_5_3s - (k_42 * p_5_2 + p_5_4);
-    float t_96 = v_5_5s + (k_43 * p_5_2 + k_45 * p_5_4);
-    float t_97 = k_2 * q_5_2 + q_5_4;
-    float t_98 = q_5_2 - k_2 * q_5_4;
-    result[31] = cos_a * t_83 - sin_a * t_94;                                            // l=5 m=1
-    result[29] = sin_a * t_83 + cos_a * t_94;                                            // l=5 m=-1
-    result[32] = cos_2a * t_86 - sin_2a * t_97;                                          // l=5 m=2
-    result[28] = sin_2a * t_86 + cos_2a * t_97;                                          // l=5 m=-2
-    result[33] = cos_3a * t_84 - sin_3a * t_95;                                          // l=5 m=3
-    result[27] = sin_3a * t_84 + cos_3a * t_95;                                          // l=5 m=-3
-    result[34] = cos_4a * t_87 - sin_4a * t_98;                                          // l=5 m=4
-    result[26] = sin_4a * t_87 + cos_4a * t_98;                                          // l=5 m=-4
-    result[35] = cos_5a * t_85 - sin_5a * t_96;                                          // l=5 m=5
-    result[25] = sin_5a * t_85 + cos_5a * t_96;                                          // l=5 m=-5
+    float t_87 = q_5_1 - k_35 * q_5_3 - k_36 * q_5_5;
+    float t_88 = k_33 * q_5_1 + q_5_3 + k_37 * q_5_5;
+    float t_89 = v_5_1s + k_42 * v_5_3s - k_43 * v_5_5s;
+    float t_90 = v_5_3s - k_44 * v_5_1s - k_45 * v_5_5s;
+    float t_91 = k_2 * v_5_2s + v_5_4s;
+    float t_92 = v_5_2s - k_2 * v_5_4s;
+    float t_93 = k_46 * t_20;
+    float p_5_2 = t_55 * t_89 + t_93 * t_91;
+    float q_5_2 = t_93 * t_89 + k_47 * cos_2b * t_91;
+    float t_94 = k_49 * t_25;
+    float p_5_4 = k_48 * t_24 * t_90 - t_94 * t_92;
+    float q_5_4 = k_47 * cos_4b * t_92 - t_94 * t_90;
+    float t_95 = v_5_1s - (p_5_2 - k_44 * p_5_4);
+    float t_96 = v_5_3s - (k_42 * p_5_2 + p_5_4);
+    float t_97 = v_5_5s + (k_43 * p_5_2 + k_45 * p_5_4);
+    float t_98 = k_2 * q_5_2 + q_5_4;
+    float t_99 = q_5_2 - k_2 * q_5_4;
+    result[31] = cos_a * t_84 - sin_a * t_95;                                            // l=5 m=1
+    result[29] = sin_a * t_84 + cos_a * t_95;                                            // l=5 m=-1
+    result[32] = cos_2a * t_87 - sin_2a * t_98;                                          // l=5 m=2
+    result[28] = sin_2a * t_87 + cos_2a * t_98;                                          // l=5 m=-2
+    result[33] = cos_3a * t_85 - sin_3a * t_96;                                          // l=5 m=3
+    result[27] = sin_3a * t_85 + cos_3a * t_96;                                          // l=5 m=-3
+    result[34] = cos_4a * t_88 - sin_4a * t_99;                                          // l=5 m=4
+    result[26] = sin_4a * t_88 + cos_4a * t_99;                                          // l=5 m=-4
+    result[35] = cos_5a * t_86 - sin_5a * t_97;                                          // l=5 m=5
+    result[25] = sin_5a * t_86 + cos_5a * t_97;                                          // l=5 m=-5
     float c43 = c[43];
     float c41 = c[41];
     float v_6_1c = cos_g * c43 - sin_g * c41;
@@ -527,64 +527,64 @@ void rotate_quaternion_l8(float q[4], float c[81], out float result[81]) {
     float v_6_6c = cos_6g * c48 - sin_6g * c36;
     float v_6_6s = sin_6g * c48 + cos_6g * c36;
     float c42 = c[42];
-    float t_99 = v_6_6c - k_50 * c42 - k_51 * v_6_2c - k_52 * v_6_4c;
-    float t_100 = v_6_4c - k_53 * c42 - k_54 * v_6_2c - k_55 * v_6_6c;
-    float t_101 = v_6_2c - k_28 * c42 - k_56 * v_6_4c + k_57 * v_6_6c;
-    float t_102 = k_52 * v_6_1c + k_58 * v_6_3c + v_6_5c;
-    float t_103 = k_59 * v_6_1c + v_6_3c - k_60 * v_6_5c;
-    float t_104 = v_6_1c - k_61 * v_6_3c + k_62 * v_6_5c;
-    float t_105 = k_125 * t_17;
-    float t_106 = k_64 * t_19;
-    float p_6_2 = k_63 * t_17 * t_99 - t_106 * t_102;
-    float q_6_2 = k_65 * cos_2b * t_102 - t_106 * t_99;
-    float t_107 = k_67 * t_24;
-    float p_6_4 = k_66 * t_23 * t_100 - t_107 * t_103;
-    float q_6_4 = k_68 * cos_4b * t_103 - t_107 * t_100;
-    float t_108 = k_70 * t_29;
-    float p_6_6 = k_69 * t_28 * t_101 - t_108 * t_104;
-    float q_6_6 = k_71 * cos_6b * t_104 - t_108 * t_101;
+    float t_100 = v_6_6c - k_50 * c42 - k_51 * v_6_2c - k_52 * v_6_4c;
+    float t_101 = v_6_4c - k_53 * c42 - k_54 * v_6_2c - k_55 * v_6_6c;
+    float t_102 = v_6_2c - k_28 * c42 - k_56 * v_6_4c + k_57 * v_6_6c;
+    float t_103 = k_52 * v_6_1c + k_58 * v_6_3c + v_6_5c;
+    float t_104 = k_59 * v_6_1c + v_6_3c - k_60 * v_6_5c;
+    float t_105 = v_6_1c - k_61 * v_6_3c + k_62 * v_6_5c;
+    float t_106 = k_125 * t_18;
+    float t_107 = k_64 * t_20;
+    float p_6_2 = k_63 * t_18 * t_100 - t_107 * t_103;
+    float q_6_2 = k_65 * cos_2b * t_103 - t_107 * t_100;
+    float t_108 = k_67 * t_25;
+    float p_6_4 = k_66 * t_24 * t_101 - t_108 * t_104;
+    float q_6_4 = k_68 * cos_4b * t_104 - t_108 * t_101;
+    float t_109 = k_70 * t_30;
+    float p_6_6 = k_69 * t_29 * t_102 - t_109 * t_105;
+    float q_6_6 = k_71 * cos_6b * t_105 - t_109 * t_102;
     result[42] = c42 + (k_50 * p_6_2 + k_53 * p_6_4 + k_28 * p_6_6);                     // l=6 m=0
-    float t_109 = v_6_2c - (p_6_6 - k_51 * p_6_2 - k_54 * p_6_4);
-    float t_110 = v_6_4c - (p_6_4 - k_52 * p_6_2 - k_56 * p_6_6);
-    float t_111 = v_6_6c - (p_6_2 - k_55 * p_6_4 + k_57 * p_6_6);
-    float t_112 = k_52 * q_6_2 + k_59 * q_6_4 + q_6_6;
-    float t_113 = k_58 * q_6_2 + q_6_4 - k_61 * q_6_6;
-    float t_114 = q_6_2 - k_60 * q_6_4 + k_62 * q_6_6;
-    float t_115 = k_72 * v_6_2s + k_73 * v_6_4s + v_6_6s;
-    float t_116 = k_74 * v_6_2s + v_6_4s - k_75 * v_6_6s;
-    float t_117 = v_6_2s - k_76 * v_6_4s + k_77 * v_6_6s;
-    float t_118 = v_6_3s - k_59 * v_6_1s + k_60 * v_6_5s;
-    float t_119 = v_6_1s + k_78 * t_118;
-    float t_120 = v_6_3s - k_7 * t_118;
-    float t_121 = v_6_5s - k_79 * t_118;
-    float t_122 = k_80 * sin_b;
-    float p_6_1 = k_71 * cos_b * t_115 + t_122 * t_119;
-    float q_6_1 = t_122 * t_115 - cos_b * t_119;
-    float t_123 = k_81 * sin_3b;
-    float p_6_3 = k_68 * cos_3b * t_116 + t_123 * t_120;
-    float q_6_3 = t_123 * t_116 - cos_3b * t_120;
-    float t_124 = k_79 * sin_5b;
-    float p_6_5 = k_65 * cos_5b * t_117 + t_124 * t_121;
-    float q_6_5 = t_124 * t_117 - cos_5b * t_121;
-    float t_125 = k_72 * p_6_1 + k_74 * p_6_3 + p_6_5;
-    float t_126 = k_73 * p_6_1 + p_6_3 - k_76 * p_6_5;
-    float t_127 = p_6_1 - k_75 * p_6_3 + k_77 * p_6_5;
-    float t_128 = q_6_3 - k_59 * q_6_1 + k_60 * q_6_5;
-    float t_129 = q_6_1 + k_78 * t_128;
-    float t_130 = q_6_3 - k_7 * t_128;
-    float t_131 = q_6_5 - k_79 * t_128;
-    result[43] = cos_a * t_112 + sin_a * t_129;                                          // l=6 m=1
-    result[41] = sin_a * t_112 - cos_a * t_129;                                          // l=6 m=-1
-    result[44] = cos_2a * t_109 - sin_2a * t_125;                                        // l=6 m=2
-    result[40] = sin_2a * t_109 + cos_2a * t_125;                                        // l=6 m=-2
-    result[45] = cos_3a * t_113 + sin_3a * t_130;                                        // l=6 m=3
-    result[39] = sin_3a * t_113 - cos_3a * t_130;                                        // l=6 m=-3
-    result[46] = cos_4a * t_110 - sin_4a * t_126;                                        // l=6 m=4
-    result[38] = sin_4a * t_110 + cos_4a * t_126;                                        // l=6 m=-4
-    result[47] = cos_5a * t_114 + sin_5a * t_131;                                        // l=6 m=5
-    result[37] = sin_5a * t_114 - cos_5a * t_131;                                        // l=6 m=-5
-    result[48] = cos_6a * t_111 - sin_6a * t_127;                                        // l=6 m=6
-    result[36] = sin_6a * t_111 + cos_6a * t_127;                                        // l=6 m=-6
+    float t_110 = v_6_2c - (p_6_6 - k_51 * p_6_2 - k_54 * p_6_4);
+    float t_111 = v_6_4c - (p_6_4 - k_52 * p_6_2 - k_56 * p_6_6);
+    float t_112 = v_6_6c - (p_6_2 - k_55 * p_6_4 + k_57 * p_6_6);
+    float t_113 = k_52 * q_6_2 + k_59 * q_6_4 + q_6_6;
+    float t_114 = k_58 * q_6_2 + q_6_4 - k_61 * q_6_6;
+    float t_115 = q_6_2 - k_60 * q_6_4 + k_62 * q_6_6;
+    float t_116 = k_72 * v_6_2s + k_73 * v_6_4s + v_6_6s;
+    float t_117 = k_74 * v_6_2s + v_6_4s - k_75 * v_6_6s;
+    float t_118 = v_6_2s - k_76 * v_6_4s + k_77 * v_6_6s;
+    float t_119 = v_6_3s - k_59 * v_6_1s + k_60 * v_6_5s;
+    float t_120 = v_6_1s + k_78 * t_119;
+    float t_121 = v_6_3s - k_7 * t_119;
+    float t_122 = v_6_5s - k_79 * t_119;
+    float t_123 = k_80 * sin_b;
+    float p_6_1 = k_71 * cos_b * t_116 + t_123 * t_120;
+    float q_6_1 = t_123 * t_116 - cos_b * t_120;
+    float t_124 = k_81 * sin_3b;
+    float p_6_3 = k_68 * cos_3b * t_117 + t_124 * t_121;
+    float q_6_3 = t_124 * t_117 - cos_3b * t_121;
+    float t_125 = k_79 * sin_5b;
+    float p_6_5 = k_65 * cos_5b * t_118 + t_125 * t_122;
+    float q_6_5 = t_125 * t_118 - cos_5b * t_122;
+    float t_126 = k_72 * p_6_1 + k_74 * p_6_3 + p_6_5;
+    float t_127 = k_73 * p_6_1 + p_6_3 - k_76 * p_6_5;
+    float t_128 = p_6_1 - k_75 * p_6_3 + k_77 * p_6_5;
+    float t_129 = q_6_3 - k_59 * q_6_1 + k_60 * q_6_5;
+    float t_130 = q_6_1 + k_78 * t_129;
+    float t_131 = q_6_3 - k_7 * t_129;
+    float t_132 = q_6_5 - k_79 * t_129;
+    result[43] = cos_a * t_113 + sin_a * t_130;                                          // l=6 m=1
+    result[41] = sin_a * t_113 - cos_a * t_130;                                          // l=6 m=-1
+    result[44] = cos_2a * t_110 - sin_2a * t_126;                                        // l=6 m=2
+    result[40] = sin_2a * t_110 + cos_2a * t_126;                                        // l=6 m=-2
+    result[45] = cos_3a * t_114 + sin_3a * t_131;                                        // l=6 m=3
+    result[39] = sin_3a * t_114 - cos_3a * t_131;                                        // l=6 m=-3
+    result[46] = cos_4a * t_111 - sin_4a * t_127;                                        // l=6 m=4
+    result[38] = sin_4a * t_111 + cos_4a * t_127;                                        // l=6 m=-4
+    result[47] = cos_5a * t_115 + sin_5a * t_132;                                        // l=6 m=5
+    result[37] = sin_5a * t_115 - cos_5a * t_132;                                        // l=6 m=-5
+    result[48] = cos_6a * t_112 - sin_6a * t_128;                                        // l=6 m=6
+    result[36] = sin_6a * t_112 + cos_6a * t_128;                                        // l=6 m=-6
     float c57 = c[57];
     float c55 = c[55];
     float v_7_1c = cos_g * c57 - sin_g * c55;
@@ -613,83 +613,83 @@ void rotate_quaternion_l8(float q[4], float c[81], out float result[81]) {
     float c49 = c[49];
     float v_7_7c = cos_7g * c63 - sin_7g * c49;
     float v_7_7s = sin_7g * c63 + cos_7g * c49;
-    float t_132 = v_7_1c + k_82 * v_7_5c + k_83 * v_7_7c;
-    float t_133 = v_7_3c + k_84 * v_7_5c - k_85 * v_7_7c;
-    float t_134 = v_7_1c - k_86 * t_132 - k_87 * t_133;
-    float t_135 = v_7_3c - k_87 * t_132 - k_88 * t_133;
-    float t_136 = v_7_5c - k_89 * t_132 - k_90 * t_133;
-    float t_137 = v_7_7c - k_91 * t_132 + k_92 * t_133;
+    float t_133 = v_7_1c + k_82 * v_7_5c + k_83 * v_7_7c;
+    float t_134 = v_7_3c + k_84 * v_7_5c - k_85 * v_7_7c;
+    float t_135 = v_7_1c - k_86 * t_133 - k_87 * t_134;
+    float t_136 = v_7_3c - k_87 * t_133 - k_88 * t_134;
+    float t_137 = v_7_5c - k_89 * t_133 - k_90 * t_134;
+    float t_138 = v_7_7c - k_91 * t_133 + k_92 * t_134;
     float c56 = c[56];
-    float t_138 = k_44 * c56 + v_7_2c + k_93 * v_7_4c + k_94 * v_7_6c;
-    float t_139 = k_97 * v_7_4c - k_95 * c56 - k_96 * v_7_2c + v_7_6c;
-    float t_140 = v_7_4c - k_98 * c56 - k_99 * v_7_2c - k_100 * v_7_6c;
-    float t_141 = v_7_2c - k_101 * c56 - k_102 * v_7_4c + k_103 * v_7_6c;
-    float t_142 = k_104 * sin_b;
-    float t_143 = k_187 * sin_b;
-    float q_7_1 = t_142 * t_134 + k_105 * cos_b * t_138;
-    float p_7_1 = cos_b * t_134 - t_142 * t_138;
-    float t_144 = k_106 * sin_3b;
-    float t_145 = k_189 * sin_3b;
-    float q_7_3 = k_107 * cos_3b * t_139 - t_144 * t_135;
-    float p_7_3 = cos_3b * t_135 + t_144 * t_139;
-    float t_146 = k_108 * sin_5b;
-    float t_147 = k_190 * sin_5b;
-    float q_7_5 = k_109 * cos_5b * t_140 - t_146 * t_136;
-    float p_7_5 = cos_5b * t_136 + t_146 * t_140;
-    float t_148 = k_111 * cos_7b;
-    float p_7_7 = cos_7b * t_137 + t_31 * t_141;
-    float q_7_7 = t_148 * t_141 - t_31 * t_137;
-    float t_149 = p_7_1 + k_82 * p_7_5 + k_83 * p_7_7;
-    float t_150 = p_7_3 + k_84 * p_7_5 - k_85 * p_7_7;
-    float t_151 = p_7_1 - k_86 * t_149 - k_87 * t_150;
-    float t_152 = p_7_3 - k_87 * t_149 - k_88 * t_150;
-    float t_153 = p_7_5 - k_89 * t_149 - k_90 * t_150;
-    float t_154 = p_7_7 - k_91 * t_149 + k_92 * t_150;
+    float t_139 = k_44 * c56 + v_7_2c + k_93 * v_7_4c + k_94 * v_7_6c;
+    float t_140 = k_97 * v_7_4c - k_95 * c56 - k_96 * v_7_2c + v_7_6c;
+    float t_141 = v_7_4c - k_98 * c56 - k_99 * v_7_2c - k_100 * v_7_6c;
+    float t_142 = v_7_2c - k_101 * c56 - k_102 * v_7_4c + k_103 * v_7_6c;
+    float t_143 = k_104 * sin_b;
+    float t_144 = k_187 * sin_b;
+    float q_7_1 = t_143 * t_135 + k_105 * cos_b * t_139;
+    float p_7_1 = cos_b * t_135 - t_143 * t_139;
+    float t_145 = k_106 * sin_3b;
+    float t_146 = k_189 * sin_3b;
+    float q_7_3 = k_107 * cos_3b * t_140 - t_145 * t_136;
+    float p_7_3 = cos_3b * t_136 + t_145 * t_140;
+    float t_147 = k_108 * sin_5b;
+    float t_148 = k_190 * sin_5b;
+    float q_7_5 = k_109 * cos_5b * t_141 - t_147 * t_137;
+    float p_7_5 = cos_5b * t_137 + t_147 * t_141;
+    float t_149 = k_111 * cos_7b;
+    float p_7_7 = cos_7b * t_138 + t_32 * t_142;
+    float q_7_7 = t_149 * t_142 - t_32 * t_138;
+    float t_150 = p_7_1 + k_82 * p_7_5 + k_83 * p_7_7;
+    float t_151 = p_7_3 + k_84 * p_7_5 - k_85 * p_7_7;
+    float t_152 = p_7_1 - k_86 * t_150 - k_87 * t_151;
+    float t_153 = p_7_3 - k_87 * t_150 - k_88 * t_151;
+    float t_154 = p_7_5 - k_89 * t_150 - k_90 * t_151;
+    float t_155 = p_7_7 - k_91 * t_150 + k_92 * t_151;
     result[56] = k_44 * q_7_1 - k_95 * q_7_3 - k_98 * q_7_5 - k_101 * q_7_7;             // l=7 m=0
-    float t_155 = q_7_1 - k_96 * q_7_3 - k_99 * q_7_5 + q_7_7;
-    float t_156 = k_93 * q_7_1 + k_97 * q_7_3 + q_7_5 - k_102 * q_7_7;
-    float t_157 = k_94 * q_7_1 + q_7_3 - k_100 * q_7_5 + k_103 * q_7_7;
-    float t_158 = v_7_7s - k_112 * v_7_1s - k_113 * v_7_3s - k_114 * v_7_5s;
-    float t_159 = k_116 * v_7_3s - k_115 * v_7_1s + v_7_5s - k_117 * v_7_7s;
-    float t_160 = v_7_3s - k_2 * v_7_1s - k_118 * v_7_5s + k_119 * v_7_7s;
-    float t_161 = k_121 * v_7_4s - k_120 * v_7_2s + v_7_6s;
-    float t_162 = v_7_2s + k_122 * t_161;
-    float t_163 = v_7_4s - k_123 * t_161;
-    float t_164 = v_7_6s - k_124 * t_161;
-    float t_165 = k_126 * t_19;
-    float t_166 = k_156 * t_19;
-    float p_7_2 = t_105 * t_158 - t_165 * t_162;
-    float q_7_2 = t_165 * t_158 - cos_2b * t_162;
-    float t_167 = k_128 * t_24;
-    float p_7_4 = k_127 * t_23 * t_159 - t_167 * t_163;
-    float q_7_4 = t_167 * t_159 - cos_4b * t_163;
-    float t_168 = k_158 * t_24;
-    float t_169 = k_130 * t_29;
-    float p_7_6 = k_129 * t_28 * t_160 - t_169 * t_164;
-    float q_7_6 = t_169 * t_160 - cos_6b * t_164;
-    float t_170 = k_161 * t_29;
-    float t_171 = v_7_1s + (k_112 * p_7_2 + k_115 * p_7_4 + k_2 * p_7_6);
-    float t_172 = v_7_3s - (k_116 * p_7_4 - k_113 * p_7_2 + p_7_6);
-    float t_173 = v_7_5s - (p_7_4 - k_114 * p_7_2 - k_118 * p_7_6);
-    float t_174 = v_7_7s - (p_7_2 - k_117 * p_7_4 + k_119 * p_7_6);
-    float t_175 = k_121 * q_7_4 - k_120 * q_7_2 + q_7_6;
-    float t_176 = q_7_2 + k_122 * t_175;
-    float t_177 = q_7_4 - k_123 * t_175;
-    float t_178 = q_7_6 - k_124 * t_175;
-    result[57] = cos_a * t_151 - sin_a * t_171;                                          // l=7 m=1
-    result[55] = sin_a * t_151 + cos_a * t_171;                                          // l=7 m=-1
-    result[58] = cos_2a * t_155 + sin_2a * t_176;                                        // l=7 m=2
-    result[54] = sin_2a * t_155 - cos_2a * t_176;                                        // l=7 m=-2
-    result[59] = cos_3a * t_152 - sin_3a * t_172;                                        // l=7 m=3
-    result[53] = sin_3a * t_152 + cos_3a * t_172;                                        // l=7 m=-3
-    result[60] = cos_4a * t_156 + sin_4a * t_177;                                        // l=7 m=4
-    result[52] = sin_4a * t_156 - cos_4a * t_177;                                        // l=7 m=-4
-    result[61] = cos_5a * t_153 - sin_5a * t_173;                                        // l=7 m=5
-    result[51] = sin_5a * t_153 + cos_5a * t_173;                                        // l=7 m=-5
-    result[62] = cos_6a * t_157 + sin_6a * t_178;                                        // l=7 m=6
-    result[50] = sin_6a * t_157 - cos_6a * t_178;                                        // l=7 m=-6
-    result[63] = cos_7a * t_154 - sin_7a * t_174;                                        // l=7 m=7
-    result[49] = sin_7a * t_154 + cos_7a * t_174;                                        // l=7 m=-7
+    float t_156 = q_7_1 - k_96 * q_7_3 - k_99 * q_7_5 + q_7_7;
+    float t_157 = k_93 * q_7_1 + k_97 * q_7_3 + q_7_5 - k_102 * q_7_7;
+    float t_158 = k_94 * q_7_1 + q_7_3 - k_100 * q_7_5 + k_103 * q_7_7;
+    float t_159 = v_7_7s - k_112 * v_7_1s - k_113 * v_7_3s - k_114 * v_7_5s;
+    float t_160 = k_116 * v_7_3s - k_115 * v_7_1s + v_7_5s - k_117 * v_7_7s;
+    float t_161 = v_7_3s - k_2 * v_7_1s - k_118 * v_7_5s + k_119 * v_7_7s;
+    float t_162 = k_121 * v_7_4s - k_120 * v_7_2s + v_7_6s;
+    float t_163 = v_7_2s + k_122 * t_162;
+    float t_164 = v_7_4s - k_123 * t_162;
+    float t_165 = v_7_6s - k_124 * t_162;
+    float t_166 = k_126 * t_20;
+    float t_167 = k_156 * t_20;
+    float p_7_2 = t_106 * t_159 - t_166 * t_163;
+    float q_7_2 = t_166 * t_159 - cos_2b * t_163;
+    float t_168 = k_128 * t_25;
+    float p_7_4 = k_127 * t_24 * t_160 - t_168 * t_164;
+    float q_7_4 = t_168 * t_160 - cos_4b * t_164;
+    float t_169 = k_158 * t_25;
+    float t_170 = k_130 * t_30;
+    float p_7_6 = k_129 * t_29 * t_161 - t_170 * t_165;
+    float q_7_6 = t_170 * t_161 - cos_6b * t_165;
+    float t_171 = k_161 * t_30;
+    float t_172 = v_7_1s + (k_112 * p_7_2 + k_115 * p_7_4 + k_2 * p_7_6);
+    float t_173 = v_7_3s - (k_116 * p_7_4 - k_113 * p_7_2 + p_7_6);
+    float t_174 = v_7_5s - (p_7_4 - k_114 * p_7_2 - k_118 * p_7_6);
+    float t_175 = v_7_7s - (p_7_2 - k_117 * p_7_4 + k_119 * p_7_6);
+    float t_176 = k_121 * q_7_4 - k_120 * q_7_2 + q_7_6;
+    float t_177 = q_7_2 + k_122 * t_176;
+    float t_178 = q_7_4 - k_123 * t_176;
+    float t_179 = q_7_6 - k_124 * t_176;
+    result[57] = cos_a * t_152 - sin_a * t_172;                                          // l=7 m=1
+    result[55] = sin_a * t_152 + cos_a * t_172;                                          // l=7 m=-1
+    result[58] = cos_2a * t_156 + sin_2a * t_177;                                        // l=7 m=2
+    result[54] = sin_2a * t_156 - cos_2a * t_177;                                        // l=7 m=-2
+    result[59] = cos_3a * t_153 - sin_3a * t_173;                                        // l=7 m=3
+    result[53] = sin_3a * t_153 + cos_3a * t_173;                                        // l=7 m=-3
+    result[60] = cos_4a * t_157 + sin_4a * t_178;                                        // l=7 m=4
+    result[52] = sin_4a * t_157 - cos_4a * t_178;                                        // l=7 m=-4
+    result[61] = cos_5a * t_154 - sin_5a * t_174;                                        // l=7 m=5
+    result[51] = sin_5a * t_154 + cos_5a * t_174;                                        // l=7 m=-5
+    result[62] = cos_6a * t_158 + sin_6a * t_179;                                        // l=7 m=6
+    result[50] = sin_6a * t_158 - cos_6a * t_179;                                        // l=7 m=-6
+    result[63] = cos_7a * t_155 - sin_7a * t_175;                                        // l=7 m=7
+    result[49] = sin_7a * t_155 + cos_7a * t_175;                                        // l=7 m=-7
     float c73 = c[73];
     float c71 = c[71];
     float v_8_1c = cos_g * c73 - sin_g * c71;
@@ -723,73 +723,73 @@ void rotate_quaternion_l8(float q[4], float c[81], out float result[81]) {
     float v_8_8c = cos_8g * c80 - sin_8g * c64;
     float v_8_8s = sin_8g * c80 + cos_8g * c64;
     float c72 = c[72];
-    float t_179 = v_8_8c - k_131 * c72 - k_132 * v_8_2c - k_133 * v_8_4c;
-    float t_180 = k_136 * v_8_4c - k_134 * c72 - k_135 * v_8_2c + v_8_6c - k_137 * v_8_8c;
-    float t_181 = v_8_4c - k_138 * c72 - k_139 * v_8_6c + k_140 * v_8_8c;
-    float t_182 = v_8_2c - k_141 * c72 - k_142 * v_8_4c + k_143 * v_8_6c - k_144 * v_8_8c;
-    float t_183 = k_145 * v_8_1c + k_146 * v_8_3c + k_12 * v_8_5c + v_8_7c;
-    float p_8_2 = t_105 * t_179 - t_166 * t_183;
-    float q_8_2 = k_111 * cos_2b * t_183 - t_166 * t_179;
-    float t_184 = v_8_7c - k_147 * v_8_1c - k_148 * v_8_3c - k_149 * v_8_5c;
-    float p_8_4 = k_157 * t_23 * t_180 + t_168 * t_184;
-    float q_8_4 = t_168 * t_180 + k_159 * cos_4b * t_184;
-    float t_185 = v_8_5c - k_150 * v_8_1c - k_151 * v_8_3c - k_152 * v_8_7c;
-    float t_186 = v_8_1c - k_153 * v_8_3c + k_154 * v_8_5c - k_155 * v_8_7c;
-    float p_8_6 = k_160 * t_28 * t_181 + t_170 * t_185;
-    float q_8_6 = t_170 * t_181 + k_162 * cos_6b * t_185;
-    float p_8_8 = k_163 * t_32 * t_182 - t_33 * t_186;
-    float q_8_8 = (k_165 - k_166 * t_32) * t_186 - t_33 * t_182;
+    float t_180 = v_8_8c - k_131 * c72 - k_132 * v_8_2c - k_133 * v_8_4c;
+    float t_181 = k_136 * v_8_4c - k_134 * c72 - k_135 * v_8_2c + v_8_6c - k_137 * v_8_8c;
+    float t_182 = v_8_4c - k_138 * c72 - k_139 * v_8_6c + k_140 * v_8_8c;
+    float t_183 = v_8_2c - k_141 * c72 - k_142 * v_8_4c + k_143 * v_8_6c - k_144 * v_8_8c;
+    float t_184 = k_145 * v_8_1c + k_146 * v_8_3c + k_12 * v_8_5c + v_8_7c;
+    float p_8_2 = t_106 * t_180 - t_167 * t_184;
+    float q_8_2 = k_111 * cos_2b * t_184 - t_167 * t_180;
+    float t_185 = v_8_7c - k_147 * v_8_1c - k_148 * v_8_3c - k_149 * v_8_5c;
+    float p_8_4 = k_157 * t_24 * t_181 + t_169 * t_185;
+    float q_8_4 = t_169 * t_181 + k_159 * cos_4b * t_185;
+    float t_186 = v_8_5c - k_150 * v_8_1c - k_151 * v_8_3c - k_152 * v_8_7c;
+    float t_187 = v_8_1c - k_153 * v_8_3c + k_154 * v_8_5c - k_155 * v_8_7c;
+    float p_8_6 = k_160 * t_29 * t_182 + t_171 * t_186;
+    float q_8_6 = t_171 * t_182 + k_162 * cos_6b * t_186;
+    float p_8_8 = k_163 * t_33 * t_183 - t_34 * t_187;
+    float q_8_8 = (k_165 - k_166 * t_33) * t_187 - t_34 * t_183;
     result[72] = c72 + (k_131 * p_8_2 + k_134 * p_8_4 + k_138 * p_8_6 + k_141 * p_8_8);  // l=8 m=0
-    float t_187 = v_8_2c - (p_8_8 - k_132 * p_8_2 - k_135 * p_8_4);
-    float t_188 = v_8_4c - (k_136 * p_8_4 - k_133 * p_8_2 + p_8_6 - k_142 * p_8_8);
-    float t_189 = v_8_6c - (p_8_4 - k_139 * p_8_6 + k_143 * p_8_8);
-    float t_190 = v_8_8c - (p_8_2 - k_137 * p_8_4 + k_140 * p_8_6 - k_144 * p_8_8);
-    float t_191 = k_145 * q_8_2 - k_147 * q_8_4 - k_150 * q_8_6 + q_8_8;
-    float t_192 = k_146 * q_8_2 - k_148 * q_8_4 - k_151 * q_8_6 - k_153 * q_8_8;
-    float t_193 = k_12 * q_8_2 - k_149 * q_8_4 + q_8_6 + k_154 * q_8_8;
-    float t_194 = q_8_2 + q_8_4 - k_152 * q_8_6 - k_155 * q_8_8;
-    float t_195 = k_167 * v_8_2s + k_168 * v_8_4s + k_169 * v_8_6s + v_8_8s;
-    float t_196 = k_170 * v_8_2s + v_8_4s + k_171 * v_8_6s - k_172 * v_8_8s;
-    float t_197 = v_8_6s - k_173 * v_8_2s - k_174 * v_8_4s - k_175 * v_8_8s;
-    float t_198 = v_8_2s - k_176 * v_8_4s + k_177 * v_8_6s - k_178 * v_8_8s;
-    float t_199 = k_179 * v_8_3s - k_85 * v_8_1s + v_8_5s;
-    float t_200 = k_180 * v_8_3s - k_131 * v_8_1s + v_8_7s;
-    float t_201 = v_8_1s + k_92 * t_199 + k_181 * t_200;
-    float t_202 = v_8_3s - k_182 * t_199 - k_183 * t_200;
-    float t_203 = v_8_5s - k_184 * t_199 + k_185 * t_200;
-    float t_204 = v_8_7s + k_185 * t_199 - k_186 * t_200;
-    float p_8_7 = t_148 * t_198 + t_31 * t_204;
-    float q_8_7 = cos_7b * t_204 - t_31 * t_198;
-    float p_8_1 = k_165 * cos_b * t_195 + t_143 * t_201;
-    float q_8_1 = cos_b * t_201 - t_143 * t_195;
-    float p_8_3 = k_188 * cos_3b * t_196 + t_145 * t_202;
-    float q_8_3 = cos_3b * t_202 - t_145 * t_196;
-    float p_8_5 = k_162 * cos_5b * t_197 - t_147 * t_203;
-    float q_8_5 = t_147 * t_197 + cos_5b * t_203;
-    float t_205 = k_167 * p_8_1 + k_170 * p_8_3 - k_173 * p_8_5 + p_8_7;
-    float t_206 = k_168 * p_8_1 + p_8_3 - k_174 * p_8_5 - k_176 * p_8_7;
-    float t_207 = k_169 * p_8_1 + k_171 * p_8_3 + p_8_5 + k_177 * p_8_7;
-    float t_208 = p_8_1 - k_172 * p_8_3 - k_175 * p_8_5 - k_178 * p_8_7;
-    float t_209 = k_179 * q_8_3 - k_85 * q_8_1 + q_8_5;
-    float t_210 = k_180 * q_8_3 - k_131 * q_8_1 + q_8_7;
-    float t_211 = q_8_1 + k_92 * t_209 + k_181 * t_210;
-    float t_212 = q_8_3 - k_182 * t_209 - k_183 * t_210;
-    float t_213 = q_8_5 - k_184 * t_209 + k_185 * t_210;
-    float t_214 = q_8_7 + k_185 * t_209 - k_186 * t_210;
-    result[73] = cos_a * t_191 - sin_a * t_211;                                          // l=8 m=1
-    result[71] = sin_a * t_191 + cos_a * t_211;                                          // l=8 m=-1
-    result[74] = cos_2a * t_187 - sin_2a * t_205;                                        // l=8 m=2
-    result[70] = sin_2a * t_187 + cos_2a * t_205;                                        // l=8 m=-2
-    result[75] = cos_3a * t_192 - sin_3a * t_212;                                        // l=8 m=3
-    result[69] = sin_3a * t_192 + cos_3a * t_212;                                        // l=8 m=-3
-    result[76] = cos_4a * t_188 - sin_4a * t_206;                                        // l=8 m=4
-    result[68] = sin_4a * t_188 + cos_4a * t_206;                                        // l=8 m=-4
-    result[77] = cos_5a * t_193 - sin_5a * t_213;                                        // l=8 m=5
-    result[67] = sin_5a * t_193 + cos_5a * t_213;                                        // l=8 m=-5
-    result[78] = cos_6a * t_189 - sin_6a * t_207;                                        // l=8 m=6
-    result[66] = sin_6a * t_189 + cos_6a * t_207;                                        // l=8 m=-6
-    result[79] = cos_7a * t_194 - sin_7a * t_214;                                        // l=8 m=7
-    result[65] = sin_7a * t_194 + cos_7a * t_214;                                        // l=8 m=-7
-    result[80] = cos_8a * t_190 - sin_8a * t_208;                                        // l=8 m=8
-    result[64] = sin_8a * t_190 + cos_8a * t_208;                                        // l=8 m=-8
+    float t_188 = v_8_2c - (p_8_8 - k_132 * p_8_2 - k_135 * p_8_4);
+    float t_189 = v_8_4c - (k_136 * p_8_4 - k_133 * p_8_2 + p_8_6 - k_142 * p_8_8);
+    float t_190 = v_8_6c - (p_8_4 - k_139 * p_8_6 + k_143 * p_8_8);
+    float t_191 = v_8_8c - (p_8_2 - k_137 * p_8_4 + k_140 * p_8_6 - k_144 * p_8_8);
+    float t_192 = k_145 * q_8_2 - k_147 * q_8_4 - k_150 * q_8_6 + q_8_8;
+    float t_193 = k_146 * q_8_2 - k_148 * q_8_4 - k_151 * q_8_6 - k_153 * q_8_8;
+    float t_194 = k_12 * q_8_2 - k_149 * q_8_4 + q_8_6 + k_154 * q_8_8;
+    float t_195 = q_8_2 + q_8_4 - k_152 * q_8_6 - k_155 * q_8_8;
+    float t_196 = k_167 * v_8_2s + k_168 * v_8_4s + k_169 * v_8_6s + v_8_8s;
+    float t_197 = k_170 * v_8_2s + v_8_4s + k_171 * v_8_6s - k_172 * v_8_8s;
+    float t_198 = v_8_6s - k_173 * v_8_2s - k_174 * v_8_4s - k_175 * v_8_8s;
+    float t_199 = v_8_2s - k_176 * v_8_4s + k_177 * v_8_6s - k_178 * v_8_8s;
+    float t_200 = k_179 * v_8_3s - k_85 * v_8_1s + v_8_5s;
+    float t_201 = k_180 * v_8_3s - k_131 * v_8_1s + v_8_7s;
+    float t_202 = v_8_1s + k_92 * t_200 + k_181 * t_201;
+    float t_203 = v_8_3s - k_182 * t_200 - k_183 * t_201;
+    float t_204 = v_8_5s - k_184 * t_200 + k_185 * t_201;
+    float t_205 = v_8_7s + k_185 * t_200 - k_186 * t_201;
+    float p_8_7 = t_149 * t_199 + t_32 * t_205;
+    float q_8_7 = cos_7b * t_205 - t_32 * t_199;
+    float p_8_1 = k_165 * cos_b * t_196 + t_144 * t_202;
+    float q_8_1 = cos_b * t_202 - t_144 * t_196;
+    float p_8_3 = k_188 * cos_3b * t_197 + t_146 * t_203;
+    float q_8_3 = cos_3b * t_203 - t_146 * t_197;
+    float p_8_5 = k_162 * cos_5b * t_198 - t_148 * t_204;
+    float q_8_5 = t_148 * t_198 + cos_5b * t_204;
+    float t_206 = k_167 * p_8_1 + k_170 * p_8_3 - k_173 * p_8_5 + p_8_7;
+    float t_207 = k_168 * p_8_1 + p_8_3 - k_174 * p_8_5 - k_176 * p_8_7;
+    float t_208 = k_169 * p_8_1 + k_171 * p_8_3 + p_8_5 + k_177 * p_8_7;
+    float t_209 = p_8_1 - k_172 * p_8_3 - k_175 * p_8_5 - k_178 * p_8_7;
+    float t_210 = k_179 * q_8_3 - k_85 * q_8_1 + q_8_5;
+    float t_211 = k_180 * q_8_3 - k_131 * q_8_1 + q_8_7;
+    float t_212 = q_8_1 + k_92 * t_210 + k_181 * t_211;
+    float t_213 = q_8_3 - k_182 * t_210 - k_183 * t_211;
+    float t_214 = q_8_5 - k_184 * t_210 + k_185 * t_211;
+    float t_215 = q_8_7 + k_185 * t_210 - k_186 * t_211;
+    result[73] = cos_a * t_192 - sin_a * t_212;                                          // l=8 m=1
+    result[71] = sin_a * t_192 + cos_a * t_212;                                          // l=8 m=-1
+    result[74] = cos_2a * t_188 - sin_2a * t_206;                                        // l=8 m=2
+    result[70] = sin_2a * t_188 + cos_2a * t_206;                                        // l=8 m=-2
+    result[75] = cos_3a * t_193 - sin_3a * t_213;                                        // l=8 m=3
+    result[69] = sin_3a * t_193 + cos_3a * t_213;                                        // l=8 m=-3
+    result[76] = cos_4a * t_189 - sin_4a * t_207;                                        // l=8 m=4
+    result[68] = sin_4a * t_189 + cos_4a * t_207;                                        // l=8 m=-4
+    result[77] = cos_5a * t_194 - sin_5a * t_214;                                        // l=8 m=5
+    result[67] = sin_5a * t_194 + cos_5a * t_214;                                        // l=8 m=-5
+    result[78] = cos_6a * t_190 - sin_6a * t_208;                                        // l=8 m=6
+    result[66] = sin_6a * t_190 + cos_6a * t_208;                                        // l=8 m=-6
+    result[79] = cos_7a * t_195 - sin_7a * t_215;                                        // l=8 m=7
+    result[65] = sin_7a * t_195 + cos_7a * t_215;                                        // l=8 m=-7
+    result[80] = cos_8a * t_191 - sin_8a * t_209;                                        // l=8 m=8
+    result[64] = sin_8a * t_191 + cos_8a * t_209;                                        // l=8 m=-8
 }

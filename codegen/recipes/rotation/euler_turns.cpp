@@ -9,17 +9,17 @@ namespace {
 
 using symbolic::Surd;
 
-// If sin^2(beta) is below this, alpha is 0 and gamma takes the whole turn about z. Above it, the square and its root
-// keep all their digits in float, even if the machine flushes subnormal numbers to zero. In double the dropped tilt is
-// below 2^-51.
+// If sin^2(beta) is below this, gamma (for a quaternion alpha) is 0 and the other takes the whole turn about z. Above it,
+// the square and its root keep all their digits in float, even if the machine flushes subnormal numbers to zero. In double
+// the dropped tilt is below 2^-51.
 constexpr int kPoleExponent = -102;
 
-// The first multiples that are doubled. The second multiple of alpha is already accurate. The balanced form of gamma's
-// second multiple is worth its operations only if higher multiples use it.
-constexpr int kDoubledAlpha = 8;
-constexpr int kDoubledGamma = 2;
+// The first multiples that are doubled: of the angle of (x, y), whose second multiple is already accurate, and of the other,
+// where the balanced form of the second multiple is worth its operations only if higher multiples use it.
+constexpr int kDoubledFirst = 8;
+constexpr int kDoubledOther = 2;
 
-std::string named(const char* function, int k, char angle) {
+std::string named(const char* function, int k, const std::string& angle) {
   return std::string(function) + "_" + (k == 1 ? "" : std::to_string(k)) + angle;
 }
 
@@ -31,7 +31,8 @@ NodeId number(SignedBuilder& build, int value) {
 // The multiples of an angle about z, from the first multiple or from the first two.
 class TurnBuilder {
  public:
-  TurnBuilder(SignedBuilder& build, char angle, NodeId cosine, NodeId sine) : build_(build), angle_(angle) {
+  TurnBuilder(SignedBuilder& build, const std::string& angle, NodeId cosine, NodeId sine)
+      : build_(build), angle_(angle) {
     turn_.cosine[0] = number(build, 1);
     turn_.sine[0] = number(build, 0);
     set(1, cosine, sine);
@@ -100,14 +101,14 @@ class TurnBuilder {
   }
 
   SignedBuilder& build_;
-  char angle_;
+  std::string angle_;
   Turn turn_;
 };
 
 // Odd k: cos k b = cos b (2 cos (k-1)b - 2 cos (k-3)b + ... +- 1), sin k b = sin b (2 cos (k-1)b + ... + 1).
-// Even k: sin = 2 s c, versine = 2 s^2 of half the angle. square: sin^2 b.
-Tilt tilt_multiples(SignedBuilder& build, NodeId cosine, NodeId sine, const Multiple& square, int most) {
-  Tilt tilt{{{1, cosine}}, {{1, {Surd(1), sine}}}, {}};
+// Even k: sin = 2 s c, versine = 2 s^2 of half the angle. square: sin^2 b. The factor of the sine is 1 or -1.
+Tilt tilt_multiples(SignedBuilder& build, NodeId cosine, const Multiple& sine, const Multiple& square, int most) {
+  Tilt tilt{{{1, cosine}}, {{1, sine}}, {}};
   NodeId lower = -1;
   NodeId upper = -1;
   for (int k = 2; k <= most; ++k) {
@@ -120,7 +121,7 @@ Tilt tilt_multiples(SignedBuilder& build, NodeId cosine, NodeId sine, const Mult
       tilt.versine[k] = {Surd(2) * half_square.factor, half_square.node};
       if (k == most) break;
       const NodeId versine = build.times(tilt.versine[k].factor, {half_square.node}).node;
-      tilt.cosine[k] = build.sub(number(build, 1), versine, named("cos", k, 'b'));
+      tilt.cosine[k] = build.sub(number(build, 1), versine, named("cos", k, "b"));
       if (k == 2) {  // 2 cos 2b -+ 1
         lower = build.sub(tilt.cosine[k], versine);
         upper = build.add(lower, number(build, 2));
@@ -130,33 +131,33 @@ Tilt tilt_multiples(SignedBuilder& build, NodeId cosine, NodeId sine, const Mult
       lower = build.sub(twice, lower);
       upper = build.add(twice, upper);
     } else {
-      tilt.cosine[k] = build.mul(cosine, lower, named("cos", k, 'b'));
-      tilt.sine[k] = {Surd(1), build.mul(sine, upper, named("sin", k, 'b'))};
+      tilt.cosine[k] = build.mul(cosine, lower, named("cos", k, "b"));
+      tilt.sine[k] = {sine.factor, build.mul(sine.node, upper, named("sin", k, "b"))};
     }
   }
   return tilt;
 }
 
 struct Inverse {
-  NodeId doubled;  // 2 / square
-  NodeId root;     // 1 / sqrt(square)
+  NodeId square;  // 1 / square
+  NodeId root;    // 1 / sqrt(square)
 };
 
 Inverse inverse_of(SignedBuilder& build, NodeId square) {
-  const NodeId doubled = build.div(number(build, 2), square, "inv2");
-  const NodeId half = build.constant(Surd(cln::cl_RA(1) / 2), "half");
-  return {doubled, build.sqrt(build.mul(half, doubled), "inv")};
+  const NodeId inverse = build.div(number(build, 1), square, "inv_sq");
+  return {inverse, build.sqrt(inverse, "inv")};
 }
 
 // Multiples of the angle of (x, y); inverse: of x^2 + y^2.
-Turn turn_of(SignedBuilder& build, char angle, NodeId x, NodeId y, const Inverse& inverse, int most) {
+Turn turn_of(SignedBuilder& build, const std::string& angle, NodeId x, NodeId y, const Inverse& inverse, int most) {
   const NodeId cosine = build.mul(x, inverse.root);
   TurnBuilder turn(build, angle, cosine, build.mul(y, inverse.root));
-  if (most < 2) return turn.complete(most, kDoubledAlpha);
-  const NodeId doubled = build.mul(y, inverse.doubled);
+  if (most < 2) return turn.complete(most, kDoubledFirst);
+  const NodeId twice = build.add(inverse.square, inverse.square);
+  const NodeId doubled = build.mul(y, twice);
   const NodeId versine = build.mul(doubled, y);
   turn.start_from_double(versine, build.mul(doubled, x), most);
-  return turn.complete(most, kDoubledAlpha);
+  return turn.complete(most, kDoubledFirst);
 }
 
 NodeId tiny_number(SignedBuilder& build) {
@@ -165,25 +166,29 @@ NodeId tiny_number(SignedBuilder& build) {
 
 }  // namespace
 
+// The turn about z that comes first, by gamma, needs no other angle: the other two wait less.
 EulerTurns euler_turns(SignedBuilder& build, const std::array<NodeId, 9>& r, int most) {
   const auto at = [&r](int row, int column) { return r[3 * row + column]; };
-  const NodeId xx = build.mul(at(0, 2), at(0, 2));
-  const NodeId yy = build.mul(at(1, 2), at(1, 2));
+  const NodeId xx = build.mul(at(2, 0), at(2, 0));
+  const NodeId yy = build.mul(at(2, 1), at(2, 1));
   const NodeId square = build.add(xx, yy, "sin2_b");
   const NodeId tiny = tiny_number(build);
-  const NodeId x = build.select(square, tiny, number(build, 1), at(0, 2), "x");
-  const NodeId y = build.select(square, tiny, number(build, 0), at(1, 2), "y");
-  const Inverse inverse = inverse_of(build, build.select(square, tiny, number(build, 1), square));
-  const Turn alpha = turn_of(build, 'a', x, y, inverse, most);
+  // at a pole (sqrt(tiny), 0), of length sqrt(tiny)
+  const NodeId root = build.constant(Surd(cln::expt(cln::cl_RA(2), kPoleExponent / 2)), "root");
+  const NodeId x = build.select(square, tiny, root, at(2, 0), "x");
+  const NodeId y = build.select(square, tiny, number(build, 0), at(2, 1), "y");
+  const Inverse inverse = inverse_of(build, build.select(square, tiny, tiny, square));
+  Turn gamma = turn_of(build, "ng", x, y, inverse, most);
+  gamma.backwards = true;
   const NodeId sin_b = build.mul(square, inverse.root, "sin_b");
-  const NodeId cc = build.mul(at(1, 1), alpha.cosine.at(1));
-  const NodeId cs = build.mul(at(0, 1), alpha.sine.at(1));
-  const NodeId cos_g = build.sub(cc, cs);
-  const NodeId sc = build.mul(at(1, 0), alpha.cosine.at(1));
-  const NodeId ss = build.mul(at(0, 0), alpha.sine.at(1));
-  TurnBuilder gamma(build, 'g', cos_g, build.sub(sc, ss));
-  return {alpha, tilt_multiples(build, at(2, 2), sin_b, {Surd(1), square}, most),
-          gamma.complete(most, most == 2 ? most + 1 : kDoubledGamma)};
+  const NodeId cc = build.mul(at(1, 1), gamma.cosine.at(1));
+  const NodeId cs = build.mul(at(1, 0), gamma.sine.at(1));
+  const NodeId sc = build.mul(at(0, 1), gamma.cosine.at(1));
+  const NodeId ss = build.mul(at(0, 0), gamma.sine.at(1));
+  const NodeId cos_a = build.sub(cc, cs);
+  TurnBuilder alpha(build, "a", cos_a, build.sub(ss, sc));
+  return {alpha.complete(most, most == 2 ? most + 1 : kDoubledOther),
+          tilt_multiples(build, at(2, 2), {Surd(-1), sin_b}, {Surd(1), square}, most), gamma};
 }
 
 EulerTurns euler_turns(SignedBuilder& build, const std::array<NodeId, 4>& q, int most) {
@@ -209,21 +214,21 @@ EulerTurns euler_turns(SignedBuilder& build, const std::array<NodeId, 4>& q, int
   const NodeId ir = build.mul(a_im, b_re);
   const NodeId ri = build.mul(a_re, b_im);
   const NodeId alpha_re = build.add(rr, ii);
-  const Turn alpha = turn_of(build, 'a', alpha_re, build.sub(ir, ri), inverse, most);
+  const Turn alpha = turn_of(build, "a", alpha_re, build.sub(ir, ri), inverse, most);
   const NodeId gamma_re = build.sub(rr, ii);
-  const Turn gamma = turn_of(build, 'g', gamma_re, build.add(ir, ri), inverse, most);
+  const Turn gamma = turn_of(build, "g", gamma_re, build.add(ir, ri), inverse, most);
   const NodeId square = build.mul(aa, bb);
   const NodeId half_sine = build.mul(square, inverse.root);
   const NodeId sin_b = build.add(half_sine, half_sine, "sin_b");
-  return {alpha, tilt_multiples(build, build.sub(aa, bb, "cos_b"), sin_b, {Surd(4), square}, most), gamma};
+  return {alpha, tilt_multiples(build, build.sub(aa, bb, "cos_b"), {Surd(1), sin_b}, {Surd(4), square}, most), gamma};
 }
 
 Turn turn_by_steps(SignedBuilder& build, NodeId cosine, NodeId sine, int most) {
-  return TurnBuilder(build, 'a', cosine, sine).complete(most, most + 1);
+  return TurnBuilder(build, "a", cosine, sine).complete(most, most + 1);
 }
 
 Turn turn_by_products(SignedBuilder& build, NodeId cosine, NodeId sine, int most) {
-  TurnBuilder turn(build, 'a', cosine, sine);
+  TurnBuilder turn(build, "a", cosine, sine);
   for (int k = 2; k <= most; ++k) {
     if (k % 2 == 0) {
       turn.double_from(k / 2);
@@ -240,7 +245,7 @@ void turn_about_z(SignedBuilder& build, const Turn& turn, int degree, std::vecto
     Value& c = band[degree + m];
     Value& s = band[degree - m];
     const Value cosine{turn.cosine.at(m)};
-    const Value sine{turn.sine.at(m)};
+    const Value sine{turn.sine.at(m), turn.backwards};
     const Value cc = build.times(cosine, c);
     const Value ss = build.times(sine, s);
     const Value sc = build.times(sine, c);

@@ -3,8 +3,9 @@
 //
 // The error of a multiple comes from the distance of (cos, sin) from the unit circle. The form 1 - 2 s^2 multiplies
 // this distance by up to 4, the form c^2 - s^2 by 2. A double angle that needs no square root starts without this
-// error. Therefore the double angle of alpha comes from 2 / (r02^2 + r12^2), the double angle of beta from
-// sin^2 = r02^2 + r12^2, and the double angle of gamma has the balanced form c^2 - s^2.
+// error. Therefore the double angle of gamma comes from 2 / (r20^2 + r21^2), the double angle of beta from
+// sin^2 = r20^2 + r21^2, and the double angle of alpha has the balanced form c^2 - s^2. Of the two ways to write R, this is
+// the one with beta = -b, b from 0 to pi.
 #pragma once
 
 #include <array>
@@ -20,6 +21,7 @@ namespace sh::codegen::recipes {
 struct Turn {
   std::map<int, NodeId> cosine;
   std::map<int, NodeId> sine;
+  bool backwards = false;  ///< by minus this angle
 };
 
 /// factor * node. The recipe combines the factor with its own constants.
