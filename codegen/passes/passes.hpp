@@ -28,7 +28,7 @@ Kernel factor(const Kernel& kernel);
 Kernel prune(const Kernel& kernel);
 /// Writes k (v w) as (k v) w if nothing else uses the product v w.
 Kernel associate(const Kernel& kernel);
-/// Orders the nodes so that few values are live at once.
+/// Orders the nodes so that few values are live at once, but first those that divisions and square roots need.
 Kernel schedule(const Kernel& kernel);
 /// Writes the rows of the loop one after the other, and prunes. A sum over the rows becomes a chain of additions, the first
 /// row first. No pass of the pipeline: the analysis of errors and shaders need it.

@@ -2,8 +2,10 @@
 //
 // It uses greedy list scheduling: among the nodes with ready arguments, it takes the node that ends the most lifetimes.
 // In a tie it takes the node that is nearest to the previous node in the original order. The original order stays if it
-// does not need more live values.
+// does not need more live values. Then divisions and square roots, and the nodes that they need, go first: the processor
+// computes the others while it waits for them.
 #include <algorithm>
+#include <numeric>
 
 #include "codegen/ir/cost.hpp"
 #include "codegen/passes/passes.hpp"
@@ -76,6 +78,22 @@ class ListScheduler {
   std::vector<NodeId> order_;
 };
 
+Kernel slow_first(const Kernel& kernel) {
+  enum Place { kGiven, kSlow, kOther };
+  std::vector<Place> place(kernel.nodes.size(), kOther);
+  for (NodeId id = kernel.size() - 1; id >= 0; --id) {
+    const Node& node = kernel.node(id);
+    if (argument_count(node.op) == 0) place[id] = kGiven;
+    if (node.op == Op::kDiv || node.op == Op::kSqrt) place[id] = kSlow;
+    if (place[id] != kSlow) continue;
+    for (const NodeId arg : arguments(node)) place[arg] = kSlow;
+  }
+  std::vector<NodeId> order(kernel.nodes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&place](NodeId a, NodeId b) { return place[a] < place[b]; });
+  return with_order(kernel, order);
+}
+
 }  // namespace
 
 Kernel prune(const Kernel& kernel) {
@@ -88,8 +106,8 @@ Kernel prune(const Kernel& kernel) {
 }
 
 Kernel schedule(const Kernel& kernel) {
-  Kernel listed = with_order(kernel, ListScheduler(kernel).order());
-  return cost(listed).max_live < cost(kernel).max_live ? listed : kernel;
+  const Kernel listed = with_order(kernel, ListScheduler(kernel).order());
+  return slow_first(cost(listed).max_live < cost(kernel).max_live ? listed : kernel);
 }
 
 }  // namespace sh::codegen::passes

@@ -5,8 +5,6 @@
 //
 // With AVX-512 SIMD inside, degree 3 to 6; otherwise the kernels of generated/cpp/rotate.hpp. A prepared matrix is the
 // same on every instruction set: matrices to degree 1, columns of lanes above.
-#include <algorithm>
-
 #include "../cpp/rotate.hpp"
 #include "../cpp/rotate_apply.hpp"
 #include "../cpp/rotate_build.hpp"
@@ -63,6 +61,26 @@ void build_columns(const float* r, float* prepared) {
   }
 }
 
+#if defined(__AVX__)
+// Lane i of bands 1 and 2: the lane of its band's order J - l. Band 1 has no orders 3 and 4; its column is 0 there.
+template <int J>
+struct ColumnOfTwoBands {
+  static constexpr int at(int lane) { return lane < 3 ? (J < 3 ? J : 0) : 3 + J; }
+};
+
+// Degree 2, by the columns that bands 0 to 3 share: bands 1 and 2 fill 8 lanes.
+inline void apply_two_bands(const float* prepared, const float* c, float* out) {
+  const float first = prepared[0] * c[0];
+  const Vector<8> v = load_vector<8>(c + 1);
+  Vector<8> sum = load_vector<8>(prepared + 1) * shuffle<ColumnOfTwoBands<0>>(v, v);
+  repeat<4>([&](auto j) {
+    sum += load_vector<8>(prepared + (j + 1) * kLanes + 1) * shuffle<ColumnOfTwoBands<j + 1>>(v, v);
+  });
+  out[0] = first;
+  std::memcpy(out + 1, &sum, sizeof sum);
+}
+#endif
+
 #if defined(__AVX512F__)
 template <int Degree>
 [[gnu::flatten]] void lanes(const float* r, const float* c, float* out) {
@@ -74,7 +92,8 @@ template <int Degree>
 }
 template <int Degree>
 [[gnu::flatten]] void apply_columns(const float* prepared, const float* c, float* out) {
-  apply_first_bands<std::min(Degree, 3)>(prepared, c, out);
+  if constexpr (Degree == 2) return apply_two_bands(prepared, c, out);
+  apply_first_bands(prepared, c, out);
   repeat<(Degree > 3 ? Degree - 3 : 0)>([&](auto above) {
     constexpr int kL = 4 + above;
     apply_band<kL, lanes_of_band(kL)>(prepared + first_of_band(kL), c, out);
@@ -106,6 +125,9 @@ template <int L, int Lane, int Step>
 
 template <int Degree>
 [[gnu::flatten]] void apply_columns(const float* prepared, const float* c, float* out) {
+#if defined(__AVX__)
+  if constexpr (Degree == 2) return apply_two_bands(prepared, c, out);
+#endif
   out[0] = prepared[0] * c[0];
   apply_band<1, 1, kLanes>(prepared, c, out);
   apply_band<2, 4, kLanes>(prepared, c, out);

@@ -118,16 +118,12 @@ class MultipleAngles {
   __m512 sine_[2];
 };
 
-// Bands 0 to Last <= 3 of a rotated function by the columns of their matrices; out may be c.
-template <int Last>
-[[gnu::always_inline]] inline void apply_first_bands(const float* columns, const float* c, float* out) {
-  constexpr int kSize = (Last + 1) * (Last + 1);
-  constexpr __mmask16 mask = kSize == 16 ? 0xffff : (1U << kSize) - 1;
-  const __m512 v = _mm512_maskz_loadu_ps(mask, c);
+// Bands 0 to 3 of a rotated function by the columns of their matrices; out may be c.
+inline void apply_first_bands(const float* columns, const float* c, float* out) {
+  const __m512 v = _mm512_loadu_ps(c);
   __m512 sum = _mm512_loadu_ps(columns) * permute(detail::kColumnOfBands[0], v);
-  repeat<2 * Last>(
-      [&](auto j) { sum += _mm512_loadu_ps(columns + (j + 1) * 16) * permute(detail::kColumnOfBands[j + 1], v); });
-  _mm512_mask_storeu_ps(out, mask, sum);
+  repeat<6>([&](auto j) { sum += _mm512_loadu_ps(columns + (j + 1) * 16) * permute(detail::kColumnOfBands[j + 1], v); });
+  _mm512_storeu_ps(out, sum);
 }
 
 // Band L > 3 by its columns of Step lanes, 16 or 24. Columns take turns among `kSums` sums, so that no column waits for

@@ -11,14 +11,14 @@
 //               exactly
 // Cost:         9 multiplications, 2 additions, 1 divisions, 1 square roots; longest chain 6; at most 5 values live
 // Error:        eps counts units of machine epsilon x sqrt((2l+1)/(4 pi))
-//               float   rounding  at most 2.9 eps  largest seen 1.2e-07 (2.0 eps)
+//               float   rounding  at most 2.9 eps  largest seen 1.2e-07 (2.1 eps)
 //               double  rounding  at most 2.9 eps  largest seen 2.2e-16 (2.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  proved for vectors of length 1e-15 to 1e+15; operations round to nearest, with or without
 //               contraction
 //               seen:     among 558 vectors (random, axes, poles, near poles; lengths 2^-20 to 2^20) and 262144
 //               evaluations of a search, without contraction
-//               worst:    float x, y, z = -8.02804e-06, -1.098858e-06, 5.020062e-07
+//               worst:    float x, y, z = -0.0020443602, -0.008130261, 1.9073486e-06
 //                         double x, y, z = 8.090811056113693e-07, 0.008069728277302358, 6.520221301364427e-05
 #pragma once
 

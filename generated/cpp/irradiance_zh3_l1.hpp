@@ -12,13 +12,13 @@
 // Source:       T. Roughton, P.-P. Sloan, A. Silvennoinen, M. Iwanicki, P. Shirley, "ZH3: Quadratic Zonal Harmonics",
 //               Proc. ACM Comput. Graph. Interact. Tech. 7 (1), 2024; constants derived exactly but for the fit 0.08,
 //               0.6
-// Cost:         15 multiplications, 8 additions, 1 divisions, 1 square roots, 2 selections; longest chain 11; at most 7
-//               values live
+// Cost:         15 multiplications, 8 additions, 1 divisions, 1 square roots, 2 selections; longest chain 11; at most
+//               11 values live
 // Error:        eps counts units of machine epsilon x the norm of c
 //               float   rounding  largest seen 9.7e-07 (6.9 eps)
 //                       total     largest seen 9.6e-07 (7.2 eps)
 //               double  rounding  largest seen 1.8e-15 (6.0 eps)
-//                       total     largest seen 2.0e-15 (6.2 eps)
+//                       total     largest seen 1.7e-15 (6.0 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: it has the operation select
 //               total:    against the exact function at the direction scaled to length 1
@@ -95,14 +95,14 @@ constexpr T irradiance_zh3_l1(const T* c, T x, T y, T z) noexcept {
   const T three  = detail::constant<T>(3.0f, 3.0);                           // 3
   const T other  = detail::constant<T>(2.0f, 2.0);                           // 2
 
-  const T t = c[1] * y + c[2] * z + c[3] * x;
-  const T t_2 = c[1] * c[1] + c[2] * c[2] + c[3] * c[3];
-  const T size = detail::square_root<T>(t_2);
-  const T t_3 = k_most * size;
-  const T mean = detail::choose(c[0] < t_3, t_3, c[0]);
-  const T t_4 = mean * size;
-  return k0 * c[0] + k1 * t + (k_fit1 * mean
-      + k_fit2 * size) / detail::choose(none < t_4, t_4, other) * (three * t * t - t_2);  // E(n)
+  const T t = c[1] * c[1] + c[2] * c[2] + c[3] * c[3];
+  const T size = detail::square_root<T>(t);
+  const T t_2 = k_most * size;
+  const T mean = detail::choose(c[0] < t_2, t_2, c[0]);
+  const T t_3 = mean * size;
+  const T t_4 = c[1] * y + c[2] * z + c[3] * x;
+  return k0 * c[0] + k1 * t_4 + (k_fit1 * mean
+      + k_fit2 * size) / detail::choose(none < t_3, t_3, other) * (three * t_4 * t_4 - t);  // E(n)
 }
 
 }  // namespace sh

@@ -14,12 +14,12 @@
 //               Proc. ACM Comput. Graph. Interact. Tech. 7 (1), 2024; constants derived exactly but for the fit 0.08,
 //               0.6
 // Cost:         59 multiplications, 32 additions, 3 negations, 4 divisions, 1 square roots, 10 selections; longest
-//               chain 23; at most 21 values live
+//               chain 23; at most 24 values live
 // Error:        eps counts units of machine epsilon x the norm of c
 //               float   rounding  largest seen 1.3e-06 (6.4 eps)
-//                       total     largest seen 1.3e-06 (6.4 eps)
-//               double  rounding  largest seen 2.4e-15 (6.6 eps)
-//                       total     largest seen 2.5e-15 (6.6 eps)
+//                       total     largest seen 1.3e-06 (6.3 eps)
+//               double  rounding  largest seen 2.3e-15 (6.2 eps)
+//                       total     largest seen 2.5e-15 (6.7 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: it has the operation select
 //               total:    against the exact function at the direction scaled to length 1
@@ -109,26 +109,26 @@ constexpr void irradiance_zh3_rgb_l1(const T* c, T x, T y, T z, T* irradiance) n
   const T t_7 = t * t_6;
   const T t_8 = t_2 * t_6;
   const T t_9 = t_3 * t_6;
-  const T t_10 = t_7 * y + t_8 * z + t_9 * x;
-  const T t_11 = three * t_10 * t_10 - k;
-  const T t_12 = c[1] * t_7 + c[2] * t_8 + c[3] * t_9;
-  const T size0 = detail::choose(t_12 < none, -t_12, t_12);
-  const T t_13 = k_most * size0;
-  const T mean0 = detail::choose(c[0] < t_13, t_13, c[0]);
+  const T t_10 = c[1] * t_7 + c[2] * t_8 + c[3] * t_9;
+  const T size0 = detail::choose(t_10 < none, -t_10, t_10);
+  const T t_11 = k_most * size0;
+  const T mean0 = detail::choose(c[0] < t_11, t_11, c[0]);
+  const T t_12 = c[5] * t_7 + c[6] * t_8 + c[7] * t_9;
+  const T t_13 = c[9] * t_7 + c[10] * t_8 + c[11] * t_9;
+  const T size1 = detail::choose(t_12 < none, -t_12, t_12);
+  const T t_14 = k_most * size1;
+  const T mean1 = detail::choose(c[4] < t_14, t_14, c[4]);
+  const T size2 = detail::choose(t_13 < none, -t_13, t_13);
+  const T t_15 = k_most * size2;
+  const T mean2 = detail::choose(c[8] < t_15, t_15, c[8]);
+  const T t_16 = t_7 * y + t_8 * z + t_9 * x;
+  const T t_17 = three * t_16 * t_16 - k;
   irradiance[0] = k0 * c[0] + k1 * (c[1] * y + c[2] * z + c[3] * x) + size0 * (k_fit1 * mean0
-      + k_fit2 * size0) / detail::choose(none < mean0, mean0, other) * t_11;  // red
-  const T t_14 = c[5] * t_7 + c[6] * t_8 + c[7] * t_9;
-  const T t_15 = c[9] * t_7 + c[10] * t_8 + c[11] * t_9;
-  const T size1 = detail::choose(t_14 < none, -t_14, t_14);
-  const T t_16 = k_most * size1;
-  const T mean1 = detail::choose(c[4] < t_16, t_16, c[4]);
+      + k_fit2 * size0) / detail::choose(none < mean0, mean0, other) * t_17;  // red
   irradiance[1] = k0 * c[4] + k1 * (c[5] * y + c[6] * z + c[7] * x) + size1 * (k_fit1 * mean1
-      + k_fit2 * size1) / detail::choose(none < mean1, mean1, other) * t_11;  // green
-  const T size2 = detail::choose(t_15 < none, -t_15, t_15);
-  const T t_17 = k_most * size2;
-  const T mean2 = detail::choose(c[8] < t_17, t_17, c[8]);
+      + k_fit2 * size1) / detail::choose(none < mean1, mean1, other) * t_17;  // green
   irradiance[2] = k0 * c[8] + k1 * (c[9] * y + c[10] * z + c[11] * x) + size2 * (k_fit1 * mean2
-      + k_fit2 * size2) / detail::choose(none < mean2, mean2, other) * t_11;  // blue
+      + k_fit2 * size2) / detail::choose(none < mean2, mean2, other) * t_17;  // blue
 }
 
 }  // namespace sh

@@ -11,7 +11,7 @@
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
 // Cost:         53 multiplications, 29 additions, 1 divisions, 1 square roots, 3 selections; longest chain 18; at most
-//               18 values live
+//               21 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 9.4e-07 (8.1 eps)
 //                       total     largest seen 9.7e-07 (8.3 eps)
@@ -94,17 +94,17 @@ constexpr void rotate_l2(const T* r, const T* c, T* out) noexcept {
   const T k_4  = detail::constant<T>(2.0f, 2.0);                               // 2
 
   out[0] = c[0];                               // l=0 m=0
+  const T sin2_b = r[6] * r[6] + r[7] * r[7];
+  const T inv_sq = one / detail::choose(sin2_b < tiny, tiny, sin2_b);
+  const T inv = detail::square_root<T>(inv_sq);
   const T c2 = c[2];
   const T c1 = c[1];
   const T c3 = c[3];
   out[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;  // l=1 m=-1
   out[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;  // l=1 m=0
   out[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;  // l=1 m=1
-  const T sin2_b = r[6] * r[6] + r[7] * r[7];
   const T x = detail::choose(sin2_b < tiny, root, r[6]);
   const T y = detail::choose(sin2_b < tiny, zero, r[7]);
-  const T inv_sq = one / detail::choose(sin2_b < tiny, tiny, sin2_b);
-  const T inv = detail::square_root<T>(inv_sq);
   const T t = y * (inv_sq + inv_sq);
   const T cos_ng = x * inv;
   const T sin_2ng = t * x;

@@ -101,17 +101,17 @@ constexpr void rotate_l3(const T* r, const T* c, T* out) noexcept {
   const T k_10 = detail::constant<T>(1.5811388f, 1.5811388300841898);          // 1/2 sqrt(10)
 
   out[0] = c[0];                               // l=0 m=0
+  const T sin2_b = r[6] * r[6] + r[7] * r[7];
+  const T inv_sq = one / detail::choose(sin2_b < tiny, tiny, sin2_b);
+  const T inv = detail::square_root<T>(inv_sq);
   const T c2 = c[2];
   const T c1 = c[1];
   const T c3 = c[3];
   out[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;  // l=1 m=-1
   out[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;  // l=1 m=0
   out[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;  // l=1 m=1
-  const T sin2_b = r[6] * r[6] + r[7] * r[7];
   const T x = detail::choose(sin2_b < tiny, root, r[6]);
   const T y = detail::choose(sin2_b < tiny, zero, r[7]);
-  const T inv_sq = one / detail::choose(sin2_b < tiny, tiny, sin2_b);
-  const T inv = detail::square_root<T>(inv_sq);
   const T t = y * (inv_sq + inv_sq);
   const T cos_ng = x * inv;
   const T sin_2ng = t * x;

@@ -357,13 +357,13 @@ constexpr void rotate_quaternion_l9(const T* q, const T* c, T* out) noexcept {
 
   out[0] = c[0];                                                                            // l=0 m=0
   const T aa = q[0] * q[0] + q[3] * q[3];
-  const T a_re = detail::choose(aa < tiny, one, q[0]);
-  const T a_im = detail::choose(aa < tiny, zero, q[3]);
   const T bb = q[1] * q[1] + q[2] * q[2];
-  const T b_re = detail::choose(bb < tiny, one, q[2]);
-  const T b_im = detail::choose(bb < tiny, zero, q[1]);
   const T inv_sq = one / (detail::choose(aa < tiny, one, aa) * detail::choose(bb < tiny, one, bb));
   const T inv = detail::square_root<T>(inv_sq);
+  const T a_re = detail::choose(aa < tiny, one, q[0]);
+  const T a_im = detail::choose(aa < tiny, zero, q[3]);
+  const T b_re = detail::choose(bb < tiny, one, q[2]);
+  const T b_im = detail::choose(bb < tiny, zero, q[1]);
   const T t = inv_sq + inv_sq;
   const T t_2 = a_re * b_re;
   const T t_3 = a_im * b_re;

@@ -8,7 +8,7 @@
 // Output:       c (36): c_lm / (1 + lambda l^2 (l+1)^2) at index l(l+1)+m
 // Recipe:       quotients
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
-// Cost:         40 multiplications, 5 additions, 5 divisions; longest chain 4; at most 37 values live
+// Cost:         40 multiplications, 5 additions, 5 divisions; longest chain 4; at most 40 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
 //               float   rounding  at most 1.8e-07 (1.6 eps)  largest seen 2.2e-08 (1.2 eps)
 //               double  rounding  at most 3.4e-16 (1.6 eps)  largest seen 5.2e-17 (1.2 eps)
@@ -63,16 +63,18 @@ constexpr void window_laplacian_l5(T lambda, T* c) noexcept {
   const T k5  = detail::constant<T>(900.0f, 900.0);  // 900
 
   const T w1 = one / (one + k1 * lambda);
+  const T w2 = one / (one + k2 * lambda);
+  const T w3 = one / (one + k3 * lambda);
+  const T w4 = one / (one + k4 * lambda);
+  const T w5 = one / (one + k5 * lambda);
   c[1] = w1 * c[1];    // l=1 m=-1
   c[2] = w1 * c[2];    // l=1 m=0
   c[3] = w1 * c[3];    // l=1 m=1
-  const T w2 = one / (one + k2 * lambda);
   c[4] = w2 * c[4];    // l=2 m=-2
   c[5] = w2 * c[5];    // l=2 m=-1
   c[6] = w2 * c[6];    // l=2 m=0
   c[7] = w2 * c[7];    // l=2 m=1
   c[8] = w2 * c[8];    // l=2 m=2
-  const T w3 = one / (one + k3 * lambda);
   c[9] = w3 * c[9];    // l=3 m=-3
   c[10] = w3 * c[10];  // l=3 m=-2
   c[11] = w3 * c[11];  // l=3 m=-1
@@ -80,7 +82,6 @@ constexpr void window_laplacian_l5(T lambda, T* c) noexcept {
   c[13] = w3 * c[13];  // l=3 m=1
   c[14] = w3 * c[14];  // l=3 m=2
   c[15] = w3 * c[15];  // l=3 m=3
-  const T w4 = one / (one + k4 * lambda);
   c[16] = w4 * c[16];  // l=4 m=-4
   c[17] = w4 * c[17];  // l=4 m=-3
   c[18] = w4 * c[18];  // l=4 m=-2
@@ -90,7 +91,6 @@ constexpr void window_laplacian_l5(T lambda, T* c) noexcept {
   c[22] = w4 * c[22];  // l=4 m=2
   c[23] = w4 * c[23];  // l=4 m=3
   c[24] = w4 * c[24];  // l=4 m=4
-  const T w5 = one / (one + k5 * lambda);
   c[25] = w5 * c[25];  // l=5 m=-5
   c[26] = w5 * c[26];  // l=5 m=-4
   c[27] = w5 * c[27];  // l=5 m=-3

@@ -8,7 +8,7 @@
 // Output:       c (64): c_lm / (1 + lambda l^2 (l+1)^2) at index l(l+1)+m
 // Recipe:       quotients
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
-// Cost:         70 multiplications, 7 additions, 7 divisions; longest chain 4; at most 65 values live
+// Cost:         70 multiplications, 7 additions, 7 divisions; longest chain 4; at most 70 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
 //               float   rounding  at most 1.8e-07 (1.6 eps)  largest seen 1.9e-08 (1.2 eps)
 //               double  rounding  at most 3.4e-16 (1.6 eps)  largest seen 6.6e-17 (1.2 eps)
@@ -65,16 +65,20 @@ constexpr void window_laplacian_l7(T lambda, T* c) noexcept {
   const T k7  = detail::constant<T>(3136.0f, 3136.0);  // 3136
 
   const T w1 = one / (one + k1 * lambda);
+  const T w2 = one / (one + k2 * lambda);
+  const T w3 = one / (one + k3 * lambda);
+  const T w4 = one / (one + k4 * lambda);
+  const T w5 = one / (one + k5 * lambda);
+  const T w6 = one / (one + k6 * lambda);
+  const T w7 = one / (one + k7 * lambda);
   c[1] = w1 * c[1];    // l=1 m=-1
   c[2] = w1 * c[2];    // l=1 m=0
   c[3] = w1 * c[3];    // l=1 m=1
-  const T w2 = one / (one + k2 * lambda);
   c[4] = w2 * c[4];    // l=2 m=-2
   c[5] = w2 * c[5];    // l=2 m=-1
   c[6] = w2 * c[6];    // l=2 m=0
   c[7] = w2 * c[7];    // l=2 m=1
   c[8] = w2 * c[8];    // l=2 m=2
-  const T w3 = one / (one + k3 * lambda);
   c[9] = w3 * c[9];    // l=3 m=-3
   c[10] = w3 * c[10];  // l=3 m=-2
   c[11] = w3 * c[11];  // l=3 m=-1
@@ -82,7 +86,6 @@ constexpr void window_laplacian_l7(T lambda, T* c) noexcept {
   c[13] = w3 * c[13];  // l=3 m=1
   c[14] = w3 * c[14];  // l=3 m=2
   c[15] = w3 * c[15];  // l=3 m=3
-  const T w4 = one / (one + k4 * lambda);
   c[16] = w4 * c[16];  // l=4 m=-4
   c[17] = w4 * c[17];  // l=4 m=-3
   c[18] = w4 * c[18];  // l=4 m=-2
@@ -92,7 +95,6 @@ constexpr void window_laplacian_l7(T lambda, T* c) noexcept {
   c[22] = w4 * c[22];  // l=4 m=2
   c[23] = w4 * c[23];  // l=4 m=3
   c[24] = w4 * c[24];  // l=4 m=4
-  const T w5 = one / (one + k5 * lambda);
   c[25] = w5 * c[25];  // l=5 m=-5
   c[26] = w5 * c[26];  // l=5 m=-4
   c[27] = w5 * c[27];  // l=5 m=-3
@@ -104,7 +106,6 @@ constexpr void window_laplacian_l7(T lambda, T* c) noexcept {
   c[33] = w5 * c[33];  // l=5 m=3
   c[34] = w5 * c[34];  // l=5 m=4
   c[35] = w5 * c[35];  // l=5 m=5
-  const T w6 = one / (one + k6 * lambda);
   c[36] = w6 * c[36];  // l=6 m=-6
   c[37] = w6 * c[37];  // l=6 m=-5
   c[38] = w6 * c[38];  // l=6 m=-4
@@ -118,7 +119,6 @@ constexpr void window_laplacian_l7(T lambda, T* c) noexcept {
   c[46] = w6 * c[46];  // l=6 m=4
   c[47] = w6 * c[47];  // l=6 m=5
   c[48] = w6 * c[48];  // l=6 m=6
-  const T w7 = one / (one + k7 * lambda);
   c[49] = w7 * c[49];  // l=7 m=-7
   c[50] = w7 * c[50];  // l=7 m=-6
   c[51] = w7 * c[51];  // l=7 m=-5

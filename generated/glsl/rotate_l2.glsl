@@ -11,7 +11,7 @@
 // Source:       D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007; angles
 //               without a hole at the poles; constants derived exactly
 // Cost:         53 multiplications, 29 additions, 1 divisions, 1 square roots, 3 selections; longest chain 18; at most
-//               18 values live
+//               21 values live
 // Error:        eps counts units of machine epsilon x |c|
 //               float   rounding  largest seen 9.4e-07 (8.1 eps)
 //                       total     largest seen 9.7e-07 (8.3 eps)
@@ -38,17 +38,17 @@ void rotate_l2(float r[9], float c[9], out float result[9]) {
     const float k_4  = 2.0;            // 2
 
     result[0] = c[0];                               // l=0 m=0
+    float sin2_b = r[6] * r[6] + r[7] * r[7];
+    float inv_sq = one / (sin2_b < tiny ? tiny : sin2_b);
+    float inv = sqrt(inv_sq);
     float c2 = c[2];
     float c1 = c[1];
     float c3 = c[3];
     result[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;  // l=1 m=-1
     result[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;  // l=1 m=0
     result[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;  // l=1 m=1
-    float sin2_b = r[6] * r[6] + r[7] * r[7];
     float x = (sin2_b < tiny ? root : r[6]);
     float y = (sin2_b < tiny ? zero : r[7]);
-    float inv_sq = one / (sin2_b < tiny ? tiny : sin2_b);
-    float inv = sqrt(inv_sq);
     float t = y * (inv_sq + inv_sq);
     float cos_ng = x * inv;
     float sin_2ng = t * x;

@@ -115,17 +115,17 @@ void rotate_l6(float r[9], float c[49], out float result[49]) {
     const float k_80 = 0.6846532;      // 1/8 sqrt(30)
 
     result[0] = c[0];                                                 // l=0 m=0
+    float sin2_b = r[6] * r[6] + r[7] * r[7];
+    float inv_sq = one / (sin2_b < tiny ? tiny : sin2_b);
+    float inv = sqrt(inv_sq);
     float c2 = c[2];
     float c1 = c[1];
     float c3 = c[3];
     result[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;                    // l=1 m=-1
     result[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;                    // l=1 m=0
     result[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;                    // l=1 m=1
-    float sin2_b = r[6] * r[6] + r[7] * r[7];
     float x = (sin2_b < tiny ? root : r[6]);
     float y = (sin2_b < tiny ? zero : r[7]);
-    float inv_sq = one / (sin2_b < tiny ? tiny : sin2_b);
-    float inv = sqrt(inv_sq);
     float t = y * (inv_sq + inv_sq);
     float cos_ng = x * inv;
     float sin_2ng = t * x;

@@ -399,12 +399,12 @@ void rotate_quaternion_l10(float q[4], float c[121], out float result[121]) {
     result[0] = c[0];                                                                                           // l=0 m=0
     float aa = q[0] * q[0] + q[3] * q[3];
     float bb = q[1] * q[1] + q[2] * q[2];
+    float inv_sq = one / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
+    float inv = sqrt(inv_sq);
     float a_re = (aa < tiny ? one : q[0]);
     float a_im = (aa < tiny ? zero : q[3]);
     float b_re = (bb < tiny ? one : q[2]);
     float b_im = (bb < tiny ? zero : q[1]);
-    float inv_sq = one / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
-    float inv = sqrt(inv_sq);
     float t = a_re * b_re;
     float t_2 = a_im * b_im;
     float t_3 = a_im * b_re;

@@ -165,13 +165,13 @@ void rotate_quaternion_l7(float q[4], float c[64], out float result[64]) {
 
     result[0] = c[0];                                                         // l=0 m=0
     float aa = q[0] * q[0] + q[3] * q[3];
-    float a_re = (aa < tiny ? one : q[0]);
-    float a_im = (aa < tiny ? zero : q[3]);
     float bb = q[1] * q[1] + q[2] * q[2];
-    float b_re = (bb < tiny ? one : q[2]);
-    float b_im = (bb < tiny ? zero : q[1]);
     float inv_sq = one / ((aa < tiny ? one : aa) * (bb < tiny ? one : bb));
     float inv = sqrt(inv_sq);
+    float a_re = (aa < tiny ? one : q[0]);
+    float a_im = (aa < tiny ? zero : q[3]);
+    float b_re = (bb < tiny ? one : q[2]);
+    float b_im = (bb < tiny ? zero : q[1]);
     float t = inv_sq + inv_sq;
     float t_2 = a_re * b_re;
     float t_3 = a_im * b_re;

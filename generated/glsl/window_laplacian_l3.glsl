@@ -8,7 +8,7 @@
 // Output:       c (16): c_lm / (1 + lambda l^2 (l+1)^2) at index l(l+1)+m
 // Recipe:       quotients
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
-// Cost:         18 multiplications, 3 additions, 3 divisions; longest chain 4; at most 17 values live
+// Cost:         18 multiplications, 3 additions, 3 divisions; longest chain 4; at most 18 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
 //               float   rounding  at most 1.8e-07 (1.6 eps)  largest seen 3.8e-08 (1.2 eps)
 //               double  rounding  at most 3.4e-16 (1.6 eps)  largest seen 8.1e-17 (1.2 eps)
@@ -29,16 +29,16 @@ void window_laplacian_l3(float lambda, inout float c[16]) {
     const float k3  = 144.0;  // 144
 
     float w1 = one / (one + k1 * lambda);
+    float w2 = one / (one + k2 * lambda);
+    float w3 = one / (one + k3 * lambda);
     c[1] = w1 * c[1];    // l=1 m=-1
     c[2] = w1 * c[2];    // l=1 m=0
     c[3] = w1 * c[3];    // l=1 m=1
-    float w2 = one / (one + k2 * lambda);
     c[4] = w2 * c[4];    // l=2 m=-2
     c[5] = w2 * c[5];    // l=2 m=-1
     c[6] = w2 * c[6];    // l=2 m=0
     c[7] = w2 * c[7];    // l=2 m=1
     c[8] = w2 * c[8];    // l=2 m=2
-    float w3 = one / (one + k3 * lambda);
     c[9] = w3 * c[9];    // l=3 m=-3
     c[10] = w3 * c[10];  // l=3 m=-2
     c[11] = w3 * c[11];  // l=3 m=-1

@@ -8,7 +8,7 @@
 // Output:       c (49): c_lm / (1 + lambda l^2 (l+1)^2) at index l(l+1)+m
 // Recipe:       quotients
 // Source:       P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", GDC 2008
-// Cost:         54 multiplications, 6 additions, 6 divisions; longest chain 4; at most 50 values live
+// Cost:         54 multiplications, 6 additions, 6 divisions; longest chain 4; at most 54 values live
 // Error:        eps counts units of machine epsilon x |c_lm|
 //               float   rounding  at most 1.8e-07 (1.6 eps)  largest seen 2.0e-08 (1.2 eps)
 //               double  rounding  at most 3.4e-16 (1.6 eps)  largest seen 6.7e-17 (1.2 eps)
@@ -32,16 +32,19 @@ void window_laplacian_l6(float lambda, inout float c[49]) {
     const float k6  = 1764.0;  // 1764
 
     float w1 = one / (one + k1 * lambda);
+    float w2 = one / (one + k2 * lambda);
+    float w3 = one / (one + k3 * lambda);
+    float w4 = one / (one + k4 * lambda);
+    float w5 = one / (one + k5 * lambda);
+    float w6 = one / (one + k6 * lambda);
     c[1] = w1 * c[1];    // l=1 m=-1
     c[2] = w1 * c[2];    // l=1 m=0
     c[3] = w1 * c[3];    // l=1 m=1
-    float w2 = one / (one + k2 * lambda);
     c[4] = w2 * c[4];    // l=2 m=-2
     c[5] = w2 * c[5];    // l=2 m=-1
     c[6] = w2 * c[6];    // l=2 m=0
     c[7] = w2 * c[7];    // l=2 m=1
     c[8] = w2 * c[8];    // l=2 m=2
-    float w3 = one / (one + k3 * lambda);
     c[9] = w3 * c[9];    // l=3 m=-3
     c[10] = w3 * c[10];  // l=3 m=-2
     c[11] = w3 * c[11];  // l=3 m=-1
@@ -49,7 +52,6 @@ void window_laplacian_l6(float lambda, inout float c[49]) {
     c[13] = w3 * c[13];  // l=3 m=1
     c[14] = w3 * c[14];  // l=3 m=2
     c[15] = w3 * c[15];  // l=3 m=3
-    float w4 = one / (one + k4 * lambda);
     c[16] = w4 * c[16];  // l=4 m=-4
     c[17] = w4 * c[17];  // l=4 m=-3
     c[18] = w4 * c[18];  // l=4 m=-2
@@ -59,7 +61,6 @@ void window_laplacian_l6(float lambda, inout float c[49]) {
     c[22] = w4 * c[22];  // l=4 m=2
     c[23] = w4 * c[23];  // l=4 m=3
     c[24] = w4 * c[24];  // l=4 m=4
-    float w5 = one / (one + k5 * lambda);
     c[25] = w5 * c[25];  // l=5 m=-5
     c[26] = w5 * c[26];  // l=5 m=-4
     c[27] = w5 * c[27];  // l=5 m=-3
@@ -71,7 +72,6 @@ void window_laplacian_l6(float lambda, inout float c[49]) {
     c[33] = w5 * c[33];  // l=5 m=3
     c[34] = w5 * c[34];  // l=5 m=4
     c[35] = w5 * c[35];  // l=5 m=5
-    float w6 = one / (one + k6 * lambda);
     c[36] = w6 * c[36];  // l=6 m=-6
     c[37] = w6 * c[37];  // l=6 m=-5
     c[38] = w6 * c[38];  // l=6 m=-4
