@@ -91,9 +91,7 @@ bool available(InstructionSet set) noexcept {
   return set == InstructionSet::kBaseline;
 }
 
-InstructionSet instruction_set() noexcept {
-  return static_cast<InstructionSet>(detail::chosen());
-}
+InstructionSet instruction_set() noexcept { return static_cast<InstructionSet>(detail::chosen()); }
 
 void use_instruction_set(InstructionSet set) {
   if (!available(set))

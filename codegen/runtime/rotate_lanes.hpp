@@ -122,7 +122,8 @@ class MultipleAngles {
 inline void apply_first_bands(const float* columns, const float* c, float* out) {
   const __m512 v = _mm512_loadu_ps(c);
   __m512 sum = _mm512_loadu_ps(columns) * permute(detail::kColumnOfBands[0], v);
-  repeat<6>([&](auto j) { sum += _mm512_loadu_ps(columns + (j + 1) * 16) * permute(detail::kColumnOfBands[j + 1], v); });
+  repeat<6>(
+      [&](auto j) { sum += _mm512_loadu_ps(columns + (j + 1) * 16) * permute(detail::kColumnOfBands[j + 1], v); });
   _mm512_storeu_ps(out, sum);
 }
 

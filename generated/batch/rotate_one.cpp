@@ -73,9 +73,8 @@ inline void apply_two_bands(const float* prepared, const float* c, float* out) {
   const float first = prepared[0] * c[0];
   const Vector<8> v = load_vector<8>(c + 1);
   Vector<8> sum = load_vector<8>(prepared + 1) * shuffle<ColumnOfTwoBands<0>>(v, v);
-  repeat<4>([&](auto j) {
-    sum += load_vector<8>(prepared + (j + 1) * kLanes + 1) * shuffle<ColumnOfTwoBands<j + 1>>(v, v);
-  });
+  repeat<4>(
+      [&](auto j) { sum += load_vector<8>(prepared + (j + 1) * kLanes + 1) * shuffle<ColumnOfTwoBands<j + 1>>(v, v); });
   out[0] = first;
   std::memcpy(out + 1, &sum, sizeof sum);
 }

@@ -85,9 +85,8 @@ namespace sh {
 template <class T>
 constexpr void rotate_l2(const T* r, const T* c, T* out) noexcept {
   const T tiny = detail::constant<T>(1.9721523e-31f, 1.9721522630525295e-31);  // 1/5070602400912917605986812821504
-  const T root = detail::constant<T>(4.440892e-16f, 4.440892098500626e-16);    // 1/2251799813685248
-  const T zero = detail::constant<T>(0.0f, 0.0);                               // 0
   const T one  = detail::constant<T>(1.0f, 1.0);                               // 1
+  const T zero = detail::constant<T>(0.0f, 0.0);                               // 0
   const T k    = detail::constant<T>(0.57735026f, 0.5773502691896257);         // 1/3 sqrt(3)
   const T k_2  = detail::constant<T>(1.5f, 1.5);                               // 3/2
   const T k_3  = detail::constant<T>(1.7320508f, 1.7320508075688772);          // sqrt(3)
@@ -95,7 +94,7 @@ constexpr void rotate_l2(const T* r, const T* c, T* out) noexcept {
 
   out[0] = c[0];                               // l=0 m=0
   const T sin2_b = r[6] * r[6] + r[7] * r[7];
-  const T inv_sq = one / detail::choose(sin2_b < tiny, tiny, sin2_b);
+  const T inv_sq = one / detail::choose(sin2_b < tiny, one, sin2_b);
   const T inv = detail::square_root<T>(inv_sq);
   const T c2 = c[2];
   const T c1 = c[1];
@@ -103,7 +102,7 @@ constexpr void rotate_l2(const T* r, const T* c, T* out) noexcept {
   out[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;  // l=1 m=-1
   out[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;  // l=1 m=0
   out[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;  // l=1 m=1
-  const T x = detail::choose(sin2_b < tiny, root, r[6]);
+  const T x = detail::choose(sin2_b < tiny, one, r[6]);
   const T y = detail::choose(sin2_b < tiny, zero, r[7]);
   const T t = y * (inv_sq + inv_sq);
   const T cos_ng = x * inv;

@@ -29,9 +29,8 @@ precision highp float;
 
 void rotate_l3(float r[9], float c[16], out float result[16]) {
     const float tiny = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float root = 4.440892e-16;   // 1/2251799813685248
-    const float zero = 0.0;            // 0
     const float one  = 1.0;            // 1
+    const float zero = 0.0;            // 0
     const float two  = 2.0;            // 2
     const float k    = 0.57735026;     // 1/3 sqrt(3)
     const float k_2  = 1.5;            // 3/2
@@ -46,7 +45,7 @@ void rotate_l3(float r[9], float c[16], out float result[16]) {
 
     result[0] = c[0];                               // l=0 m=0
     float sin2_b = r[6] * r[6] + r[7] * r[7];
-    float inv_sq = one / (sin2_b < tiny ? tiny : sin2_b);
+    float inv_sq = one / (sin2_b < tiny ? one : sin2_b);
     float inv = sqrt(inv_sq);
     float c2 = c[2];
     float c1 = c[1];
@@ -54,7 +53,7 @@ void rotate_l3(float r[9], float c[16], out float result[16]) {
     result[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;  // l=1 m=-1
     result[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;  // l=1 m=0
     result[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;  // l=1 m=1
-    float x = (sin2_b < tiny ? root : r[6]);
+    float x = (sin2_b < tiny ? one : r[6]);
     float y = (sin2_b < tiny ? zero : r[7]);
     float t = y * (inv_sq + inv_sq);
     float cos_ng = x * inv;

@@ -13,14 +13,14 @@
 // Cost:         638 multiplications, 414 additions, 1 divisions, 1 square roots, 3 selections; longest chain 36; at
 //               most 108 values live
 // Error:        eps counts units of machine epsilon x |c|
-//               float   rounding  largest seen 4.0e-06 (33.3 eps)
-//                       total     largest seen 4.2e-06 (35.3 eps)
-//               double  rounding  largest seen 6.5e-15 (29.8 eps)
-//                       total     largest seen 7.5e-15 (34.0 eps)
+//               float   rounding  largest seen 3.8e-06 (32.7 eps)
+//                       total     largest seen 4.7e-06 (41.8 eps)
+//               double  rounding  largest seen 6.7e-15 (30.9 eps)
+//                       total     largest seen 6.9e-15 (32.1 eps)
 //               rounding: against this formula in exact arithmetic at the same input
 //               at most:  no bound is proved: an input is a rotation matrix
 //               total:    against the exact function at the nearest rotation matrix
-//               seen:     among 280 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi) and 253312
+//               seen:     among 280 turned unit vectors (random, axes, half turns, tilts from 2^-99 to pi) and 253440
 //               evaluations of a search, without contraction
 // GLSL 4.50 and GLSL ES 3.00; put it below your #version line.
 #ifdef GL_ES
@@ -29,9 +29,8 @@ precision highp float;
 
 void rotate_l7(float r[9], float c[64], out float result[64]) {
     const float tiny  = 1.9721523e-31;  // 1/5070602400912917605986812821504
-    const float root  = 4.440892e-16;   // 1/2251799813685248
-    const float zero  = 0.0;            // 0
     const float one   = 1.0;            // 1
+    const float zero  = 0.0;            // 0
     const float two   = 2.0;            // 2
     const float k     = 8.0;            // 8
     const float k_2   = 0.57735026;     // 1/3 sqrt(3)
@@ -164,7 +163,7 @@ void rotate_l7(float r[9], float c[64], out float result[64]) {
 
     result[0] = c[0];                                                        // l=0 m=0
     float sin2_b = r[6] * r[6] + r[7] * r[7];
-    float inv_sq = one / (sin2_b < tiny ? tiny : sin2_b);
+    float inv_sq = one / (sin2_b < tiny ? one : sin2_b);
     float inv = sqrt(inv_sq);
     float c2 = c[2];
     float c1 = c[1];
@@ -172,7 +171,7 @@ void rotate_l7(float r[9], float c[64], out float result[64]) {
     result[1] = r[4] * c1 + r[5] * c2 + r[3] * c3;                           // l=1 m=-1
     result[2] = r[7] * c1 + r[8] * c2 + r[6] * c3;                           // l=1 m=0
     result[3] = r[1] * c1 + r[2] * c2 + r[0] * c3;                           // l=1 m=1
-    float x = (sin2_b < tiny ? root : r[6]);
+    float x = (sin2_b < tiny ? one : r[6]);
     float y = (sin2_b < tiny ? zero : r[7]);
     float t = y * (inv_sq + inv_sq);
     float cos_ng = x * inv;

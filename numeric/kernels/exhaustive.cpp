@@ -8,8 +8,6 @@
 
 #include "generated/cpp/cap.hpp"
 #include "generated/cpp/cap_accurate_l10.hpp"
-#include "generated/cpp/cap_accurate_l7.hpp"
-#include "generated/cpp/cap_accurate_l8.hpp"
 #include "generated/cpp/cap_accurate_l9.hpp"
 #include "generated/cpp/window_gaussian.hpp"
 #include "generated/cpp/window_hann.hpp"
@@ -65,8 +63,6 @@ void add_windows(std::vector<OneVariableKernel>& all) {
 std::vector<OneVariableKernel> one_variable_kernels() {
   std::vector<OneVariableKernel> all;
   add_caps(all, std::make_integer_sequence<int, 11>());
-  all.push_back(cap_kernel<7>("cap_accurate", [](const auto& u, auto* out) { cap_accurate_l7(u, out); }));
-  all.push_back(cap_kernel<8>("cap_accurate", [](const auto& u, auto* out) { cap_accurate_l8(u, out); }));
   all.push_back(cap_kernel<9>("cap_accurate", [](const auto& u, auto* out) { cap_accurate_l9(u, out); }));
   all.push_back(cap_kernel<10>("cap_accurate", [](const auto& u, auto* out) { cap_accurate_l10(u, out); }));
   add_windows<3>(all);

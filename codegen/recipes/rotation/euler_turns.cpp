@@ -173,11 +173,9 @@ EulerTurns euler_turns(SignedBuilder& build, const std::array<NodeId, 9>& r, int
   const NodeId yy = build.mul(at(2, 1), at(2, 1));
   const NodeId square = build.add(xx, yy, "sin2_b");
   const NodeId tiny = tiny_number(build);
-  // at a pole (sqrt(tiny), 0), of length sqrt(tiny)
-  const NodeId root = build.constant(Surd(cln::expt(cln::cl_RA(2), kPoleExponent / 2)), "root");
-  const NodeId x = build.select(square, tiny, root, at(2, 0), "x");
+  const NodeId x = build.select(square, tiny, number(build, 1), at(2, 0), "x");
   const NodeId y = build.select(square, tiny, number(build, 0), at(2, 1), "y");
-  const Inverse inverse = inverse_of(build, build.select(square, tiny, tiny, square));
+  const Inverse inverse = inverse_of(build, build.select(square, tiny, number(build, 1), square));
   Turn gamma = turn_of(build, "ng", x, y, inverse, most);
   gamma.backwards = true;
   const NodeId sin_b = build.mul(square, inverse.root, "sin_b");
