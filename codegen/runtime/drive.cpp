@@ -15,6 +15,12 @@ namespace {
 
 constexpr std::size_t kSegmentBlocks = 64;  // added up in lanes before they go to the total
 
+// Whether a kernel can work on the array itself; records of one value are blocked as they are.
+bool direct(const void* data, Layout layout, std::size_t size) {
+  const bool blocks = layout == Layout::kBlocked || (layout == Layout::kPlain && size == 1);
+  return blocks && reinterpret_cast<std::uintptr_t>(data) % detail::kLine == 0;
+}
+
 template <class T>
 class Driver {
  public:
@@ -36,12 +42,6 @@ class Driver {
   }
 
  private:
-  // Whether a kernel can work on the array itself; records of one value are blocked as they are.
-  static bool direct(const void* data, Layout layout, std::size_t size) {
-    const bool blocks = layout == Layout::kBlocked || (layout == Layout::kPlain && size == 1);
-    return blocks && reinterpret_cast<std::uintptr_t>(data) % detail::kLine == 0;
-  }
-
   // The records after the last whole block. A block that ends with the last record is faster than part of a block; it
   // computes some records twice, from inputs that must still be there.
   void finish(std::size_t whole, std::size_t rest) {
@@ -265,14 +265,13 @@ bool is_plain(const detail::Call<T>& call, const Plan<T>& plan) {
   return plain;
 }
 
-// Whether all records stand in whole blocks on whole lines.
+// Whether all records stand in whole blocks that a kernel can work on, but for an input that is always shared.
 template <class T>
-bool is_in_blocks(const detail::Call<T>& call, const Plan<T>& plan) {
-  const auto is_in_lines = [](const auto& records) {
-    return records.layout == Layout::kBlocked && reinterpret_cast<std::uintptr_t>(records.data) % detail::kLine == 0;
-  };
-  bool blocks = call.n % kBlock<T> == 0 && call.half == nullptr && is_in_lines(call.out);
-  for (int j = 0; j < plan.inputs; ++j) blocks = blocks && is_in_lines(call.in[j]);
+bool is_direct(const detail::Call<T>& call, const Plan<T>& plan) {
+  bool blocks = call.n % kBlock<T> == 0 && call.half == nullptr && direct(call.out.data, call.out.layout, plan.out);
+  for (int j = 0; j < plan.inputs; ++j) {
+    blocks = blocks && (j == plan.shared || direct(call.in[j].data, call.in[j].layout, plan.in[j]));
+  }
   return blocks;
 }
 
@@ -281,7 +280,7 @@ void run_blocks(const detail::Call<T>& call, const Plan<T>& plan) {
   Blocks<T> blocks;
   for (int j = 0; j < plan.inputs; ++j) {
     blocks.in[j] = call.in[j].data;
-    blocks.step[j] = plan.in[j] * kBlock<T>;
+    blocks.step[j] = j == plan.shared ? 0 : plan.in[j] * kBlock<T>;
   }
   blocks.out = call.out.data;
   blocks.out_step = plan.out * kBlock<T>;
@@ -295,7 +294,7 @@ template <class T>
 void drive(const detail::Call<T>& call, const Plan<T>& plan) {
   if (!call.stream && plan.kernel_plain != nullptr && is_plain(call, plan))
     return plan.kernel_plain(call.in[0].data, call.in[1].data, call.n, call.out.data);
-  if (!call.stream && !plan.sums && is_in_blocks(call, plan)) return run_blocks(call, plan);
+  if (!call.stream && !plan.sums && is_direct(call, plan)) return run_blocks(call, plan);
   Driver<T>(call, plan).run();
 }
 template void drive(const detail::Call<float>&, const Plan<float>&);

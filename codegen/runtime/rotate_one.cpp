@@ -62,10 +62,10 @@ void build_columns(const float* r, float* prepared) {
 }
 
 #if defined(__AVX__)
-// Lane i of bands 1 and 2: the lane of its band's order J - l. Band 1 has no orders 3 and 4; its column is 0 there.
+// Lane i of bands 1 and 2: the lane of its band's order J - l. Where band 1 has no such order, its column is 0.
 template <int J>
 struct ColumnOfTwoBands {
-  static constexpr int at(int lane) { return lane < 3 ? (J < 3 ? J : 0) : 3 + J; }
+  static constexpr int at(int lane) { return lane < 3 ? (J < 3 ? J : 2) : 3 + J; }
 };
 
 // Degree 2, by the columns that bands 0 to 3 share: bands 1 and 2 fill 8 lanes.
