@@ -1,6 +1,7 @@
 #include "codegen/recipes/rotation/euler_turns.hpp"
 
 #include <string>
+#include <utility>
 
 #include "symbolic/number/matrix.hpp"
 
@@ -31,8 +32,8 @@ NodeId number(SignedBuilder& build, int value) {
 // The multiples of an angle about z, from the first multiple or from the first two.
 class TurnBuilder {
  public:
-  TurnBuilder(SignedBuilder& build, const std::string& angle, NodeId cosine, NodeId sine)
-      : build_(build), angle_(angle) {
+  TurnBuilder(SignedBuilder& build, std::string angle, NodeId cosine, NodeId sine)
+      : build_(build), angle_(std::move(angle)) {
     turn_.cosine[0] = number(build, 1);
     turn_.sine[0] = number(build, 0);
     set(1, cosine, sine);
