@@ -9,6 +9,7 @@
 #include "../cpp/rotate_apply.hpp"
 #include "../cpp/rotate_build.hpp"
 #include "call.hpp"
+#include "turns.hpp"
 
 #if defined(__AVX512F__)
 #include "rotate_lanes.hpp"
@@ -62,10 +63,10 @@ void build_columns(const float* r, float* prepared) {
 }
 
 #if defined(__AVX__)
-// Lane i of bands 1 and 2: the lane of its band's order J - l. Where band 1 has no such order, its column is 0.
+// Column J of bands 1 and 2, whose lanes begin at band 1.
 template <int J>
 struct ColumnOfTwoBands {
-  static constexpr int at(int lane) { return lane < 3 ? (J < 3 ? J : 2) : 3 + J; }
+  static constexpr int at(int lane) { return detail::kColumnOfBands[J][lane + 1] - 1; }
 };
 
 // Degree 2, by the columns that bands 0 to 3 share: bands 1 and 2 fill 8 lanes.

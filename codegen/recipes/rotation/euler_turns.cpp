@@ -167,7 +167,8 @@ NodeId tiny_number(SignedBuilder& build) {
 
 }  // namespace
 
-// The turn about z that comes first, by gamma, needs no other angle: the other two wait less.
+// With beta = -b, (r20, r21) = sin b (cos gamma, -sin gamma): the angle of that is ng, minus gamma. So the turn about z that
+// comes first needs no other angle, and alpha follows from gamma.
 EulerTurns euler_turns(SignedBuilder& build, const std::array<NodeId, 9>& r, int most) {
   const auto at = [&r](int row, int column) { return r[3 * row + column]; };
   const NodeId xx = build.mul(at(2, 0), at(2, 0));
