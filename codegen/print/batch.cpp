@@ -104,7 +104,7 @@ std::string direct_function(const Driver& driver, const Overload& types) {
   }
   return filled(R"([[gnu::always_inline]] inline $signature {
   if (!detail::are_given($out$inputs)) return detail::run_any<$t>(detail::run_$name, degree, n, $out$inputs);
-  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, $out$inputs)) {
+  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, $out$inputs))) {
 $loops  }
   detail::run_direct<$t>(detail::$table, detail::run_$name, degree, $degree, n, $out$inputs);
 }

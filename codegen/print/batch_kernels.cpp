@@ -89,19 +89,20 @@ $body}
 // Kernels of plain records, one by one and by groups, and what chooses between them; of whole blocks.
 std::string record_kernels(const Kernel& kernel) {
   const RecordSignature s = signature_of(kernel);
-  std::string inputs, sizes;
+  std::string inputs, sizes, sum;
   for (std::size_t j = 0; j < s.inputs.size(); ++j) {
     const std::string size = size_in_degree(s.inputs[j].size, kernel);
     inputs += (j == 0 ? "" : ", ") + filled("reinterpret_cast<const One<T>*>($array) + i * $size",
                                             {{"array", j == 0 ? "a" : "b"}, {"size", size}});
     sizes += ", " + size;
+    sum += (j == 0 ? "" : " + ") + size;
   }
   return filled(
       R"(template <int Degree, class T>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* $b, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
     const One<T>* const in[] = {$inputs};
-    RecordValues<$size, T> record(to + i * $size);
+    RecordValues<$size, $in, T> record(to + i * $size);
     One<T>* const out = record.values();
     $call
     record.keep();
@@ -116,8 +117,15 @@ template <int Degree, class T>
 }
 
 template <int Degree, class T>
+[[gnu::flatten]] void in_part(const T* a, const T* b, std::size_t count, T* to) {
+  for_part_of_group<T, $size$sizes>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+    $call
+  });
+}
+
+template <int Degree, class T>
 void records(const T* a, const T* b, std::size_t n, T* to) {
-  run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, $size$sizes>(a, b, n, to);
+  run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, in_part<Degree, T>, $size$sizes>(a, b, n, to);
 }
 
 template <int Degree, class T>
@@ -128,6 +136,7 @@ void blocks(const T* a, const T* b, std::size_t count, T* to) {
 )",
       {{"inputs", inputs},
        {"sizes", sizes},
+       {"in", sum},
        {"b", s.inputs.size() > 1 ? "b" : "/*b*/"},
        {"size", size_in_degree(s.out_size, kernel)},
        {"call", call_of(kernel)}});

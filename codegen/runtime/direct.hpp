@@ -52,7 +52,7 @@ constexpr std::size_t kFewPlain = 32;
 #endif
 template <class... Array>
 [[gnu::always_inline]] inline bool are_few(std::size_t n, const Array&... arrays) {
-  return SH_BATCH_LIKELY(n <= kFewPlain) && are_plain(arrays...);
+  return n <= kFewPlain && are_plain(arrays...);
 }
 
 /// Layouts of the arrays of a call, in one register: with more than six words a call would go through memory.

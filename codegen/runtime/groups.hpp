@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "lanes.hpp"
 
@@ -89,42 +90,60 @@ using One = Packed<T, T>;
 template <class T>
 using Group = Packed<T, typename GroupRegister<T>::type>;
 
-// Where a kernel writes the values of one record: in place, or first beside it if they are few. Loops over copies of scalars
-// are vectorised, those over copies of One are not.
-template <std::size_t Size, class T>
+// Whether compilers vectorise a loop over records well enough: those of a few values, of degree 0; with shuffles of two
+// registers those of degree 1, too.
+#if defined(__AVX512F__)
+constexpr std::size_t kVectorised = 8;
+#else
+constexpr std::size_t kVectorised = 5;
+#endif
+template <std::size_t Out, std::size_t In>
+constexpr bool kIsVectorised = In + Out <= kVectorised;
+
+// Where a kernel writes the values of one record: in place, or first beside it if the loop over records is to be vectorised.
+// Loops over copies of scalars are, those over copies of One are not. Larger records would be gathered: loops that keep their
+// order are not vectorised.
+template <std::size_t Out, std::size_t In, class T>
 class RecordValues {
  public:
   explicit RecordValues(T* record) noexcept : record_(record) {}
-  One<T>* values() noexcept { return kIsCopied ? static_cast<One<T>*>(copy_) : reinterpret_cast<One<T>*>(record_); }
-  void keep() const noexcept {
-    if constexpr (kIsCopied) {
-      for (std::size_t k = 0; k < Size; ++k) record_[k] = copy_[k].get();
+  One<T>* values() noexcept {
+    return kIsVectorised<Out, In> ? static_cast<One<T>*>(copy_) : reinterpret_cast<One<T>*>(record_);
+  }
+  [[gnu::always_inline]] void keep() const noexcept {
+    if constexpr (kIsVectorised<Out, In>) {
+      for (std::size_t k = 0; k < Out; ++k) record_[k] = copy_[k].get();
+    } else {
+      keep_order();
     }
   }
 
  private:
-  static constexpr bool kIsCopied = Size < 5;
   T* record_;
-  One<T> copy_[kIsCopied ? Size : 1];
+  One<T> copy_[kIsVectorised<Out, In> ? Out : 1];
 };
 
-// The columns of a group of records of Size values.
-template <std::size_t Size, class T>
-[[gnu::always_inline]] inline void load_group(const T* records, Group<T>* columns) {
-  using Register = typename GroupRegister<T>::type;
-  if constexpr (Size == 1) {
-    Register column;
-    std::memcpy(&column, records, sizeof column);
-    columns[0] = Group<T>::of(column);
-  } else if constexpr (Size == 3) {
-    const auto triple = load_triples(records);
+// The records that are there in a group: all, as a type, or `count` of them.
+template <class T>
+using All = std::integral_constant<std::size_t, kGroup<T>>;
+
+template <class T>
+[[gnu::always_inline]] inline auto load_triples(const T* records, All<T> /*count*/) {
+  return load_triples(records);
+}
+
+// The columns of a group of records of Size values. Count: All<T>, or std::size_t.
+template <std::size_t Size, class T, class Count>
+[[gnu::always_inline]] inline void load_group(const T* records, Count count, Group<T>* columns) {
+  if constexpr (Size == 3) {
+    const auto triple = load_triples(records, count);
     columns[0] = Group<T>::of(triple.x);
     columns[1] = Group<T>::of(triple.y);
     columns[2] = Group<T>::of(triple.z);
   } else {
     static_assert(Size >= 4);
     const auto load = [&](std::size_t first, std::size_t skipped) __attribute__((always_inline)) {
-      const auto tile = load_columns(records + first, Size);
+      const auto tile = load_columns(records + first, Size, count);
 #pragma GCC unroll 4
       for (std::size_t k = skipped; k < 4; ++k) columns[first + k] = Group<T>::of(tile.v[k]);
     };
@@ -134,46 +153,49 @@ template <std::size_t Size, class T>
   }
 }
 
-// Columns First .. Size of a group -> records; the one before First is written beside it if it is still missing.
+// Columns First .. Size of a group -> `count` records; the one before First is written beside it if it is still missing.
 template <std::size_t First, std::size_t Size, class T>
-[[gnu::always_inline]] inline void store_columns(const Group<T>* columns, const T* alone, T* records) {
+[[gnu::always_inline]] inline void store_columns(const Group<T>* columns, const T* alone, std::size_t count,
+                                                 T* records) {
   const auto from = [columns](std::size_t first) {
     return [ columns, first ](std::size_t k) __attribute__((always_inline)) { return columns[first + k].get(); };
   };
   if constexpr (First + kRow<T> <= Size) {
-    join_slab<1>(from(First), alone, records + First, Size);
-    store_columns<First + kRow<T>, Size>(columns, static_cast<const T*>(nullptr), records);
+    join_slab<1>(from(First), alone, records + First, Size, count);
+    store_columns<First + kRow<T>, Size>(columns, static_cast<const T*>(nullptr), count, records);
   } else if constexpr (First < Size) {  // the last four, some of them again
     constexpr std::size_t kLast = Size - 4;
     if constexpr (sizeof(T) == sizeof(float)) {
       join_columns(columns[kLast].get(), columns[kLast + 1].get(), columns[kLast + 2].get(), columns[kLast + 3].get(),
-                   records + kLast, Size);
+                   records + kLast, Size, count);
     } else {
-      join_slab<1>(from(kLast), alone, records + kLast, Size);
+      join_slab<1>(from(kLast), alone, records + kLast, Size, count);
     }
   }
 }
 
-template <std::size_t Size, class T>
-[[gnu::always_inline]] inline void store_group(const Group<T>* columns, T* records) {
+template <std::size_t Size, class T, class Count>
+[[gnu::always_inline]] inline void store_group(const Group<T>* columns, Count count, T* records) {
   using Register = typename GroupRegister<T>::type;
-  if constexpr (Size == 1) {
+  constexpr bool kAll = std::is_same_v<Count, All<T>>;
+  if constexpr (kAll && Size == 1) {
     const Register column = columns[0].get();
     std::memcpy(records, &column, sizeof column);
-  } else if constexpr (Size == 3 && sizeof(T) == sizeof(float)) {
+  } else if constexpr (kAll && Size == 3 && sizeof(T) == sizeof(float)) {
     store_triples(columns[0].get(), columns[1].get(), columns[2].get(), records);
   } else if constexpr (Size < 4) {
-    for (std::size_t k = 0; k < Size; ++k) {
-      const Register column = columns[k].get();
-      for (std::size_t i = 0; i < kGroup<T>; ++i) records[i * Size + k] = column[i];
-    }
+    unrolled(
+        std::make_index_sequence<kGroup<T>>(), [&](std::size_t i) __attribute__((always_inline)) {
+          if (i >= count) return;
+          for (std::size_t k = 0; k < Size; ++k) records[i * Size + k] = columns[k].get()[i];
+        });
   } else if constexpr (Size > kRow<T> && Size % kRow<T> == 1) {  // rows are whole but for their first value
     T first[kGroup<T>];
     const Register column = columns[0].get();
     std::memcpy(first, &column, sizeof first);
-    store_columns<1, Size>(columns, static_cast<const T*>(first), records);
+    store_columns<1, Size>(columns, static_cast<const T*>(first), count, records);
   } else {
-    store_columns<0, Size>(columns, static_cast<const T*>(nullptr), records);
+    store_columns<0, Size>(columns, static_cast<const T*>(nullptr), count, records);
   }
 }
 
@@ -190,52 +212,70 @@ template <std::size_t Size, class T>
   }
 }
 
-// Calls kernel(in, out) for `count` groups of records of InA and of InB values (0: there is one input), to records of Out
-// values.
+// Whether a group may lack records.
+#if defined(__AVX2__)
+constexpr bool kTakesParts = true;
+#else
+constexpr bool kTakesParts = false;
+#endif
+
+// The most records that are faster one by one than as a part of a group, as measured (tests/bench/plain_targets.cpp): all at
+// degree 0; of eight lanes three where records are short and stores take the most time.
+template <class T, std::size_t Out, std::size_t In>
+constexpr std::size_t most_single() {
+  if (kGroup<T> == 1 || In + Out <= 5) return std::numeric_limits<std::size_t>::max();
+  if (!kTakesParts) return kGroup<T> - 1;
+  if (kGroup<T> < 8) return In + Out < 20 ? 2 : 1;
+  return Out >= 9 && In + Out < 20 ? 3 : 2;
+}
+template <class T, std::size_t Out, std::size_t In>
+constexpr std::size_t kMostSingle = most_single<T, Out, In>();
+
+// Calls kernel(in, out) for a group of records of InA and of InB values (0: there is one input), to records of Out values.
+template <class T, std::size_t Out, std::size_t InA, std::size_t InB, class Count, class Kernel>
+[[gnu::always_inline]] inline void run_group(const T* a, const T* b, Count count, T* to, const Kernel& kernel) {
+  Group<T> values[InA + InB];
+  load_group<InA>(a, count, static_cast<Group<T>*>(values));
+  if constexpr (InB > 0) load_group<InB>(b, count, values + InA);
+  const Group<T>* const in[] = {values, values + InA};
+  Group<T> out[Out];
+  kernel(static_cast<const Group<T>* const*>(in), static_cast<Group<T>*>(out));
+  store_group<Out>(static_cast<const Group<T>*>(out), count, to);
+}
+
+// The same for `count` whole groups.
 template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0, class Kernel>
 [[gnu::always_inline]] inline void for_every_group(const T* a, const T* b, std::size_t count, T* to,
                                                    const Kernel& kernel) {
-  if constexpr (kGroup<T> != 1) {
-    for (std::size_t g = 0; g < count; ++g) {
-      Group<T> values[InA + InB];
-      prefetch_records<InA>(a + g * kGroup<T> * InA);
-      load_group<InA>(a + g * kGroup<T> * InA, static_cast<Group<T>*>(values));
-      if constexpr (InB > 0) {
-        prefetch_records<InB>(b + g * kGroup<T> * InB);
-        load_group<InB>(b + g * kGroup<T> * InB, values + InA);
-      }
-      const Group<T>* const in[] = {values, values + InA};
-      Group<T> out[Out];
-      kernel(static_cast<const Group<T>* const*>(in), static_cast<Group<T>*>(out));
-      store_group<Out>(static_cast<const Group<T>*>(out), to + g * kGroup<T> * Out);
+  if constexpr (kMostSingle<T, Out, InA + InB> < kGroup<T>) {
+    for (std::size_t i = 0; i < count * kGroup<T>; i += kGroup<T>) {
+      prefetch_records<InA>(a + i * InA);
+      if constexpr (InB > 0) prefetch_records<InB>(b + i * InB);
+      run_group<T, Out, InA, InB>(a + i * InA, b + i * InB, All<T>(), to + i * Out, kernel);
     }
   }
 }
 
-// The values of a record up to which compilers vectorise a loop over records well enough: g++ with shuffles of two registers
-// those of degree 1, too.
-#if defined(__AVX512F__) && !defined(__clang__)
-constexpr std::size_t kVectorised = 8;
-#else
-constexpr std::size_t kVectorised = 5;
-#endif
+// Calls kernel(in, out) for a part of a group: `count` records, more than kMostSingle.
+template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0, class Kernel>
+[[gnu::always_inline]] inline void for_part_of_group(const T* a, const T* b, std::size_t count, T* to,
+                                                     const Kernel& kernel) {
+  constexpr std::size_t kFewer = kMostSingle<T, Out, InA + InB>;
+  if constexpr (kFewer < kGroup<T> - 1) {
+    if (count <= kFewer || count >= kGroup<T>) __builtin_unreachable();
+    run_group<T, Out, InA, InB>(a, b, count, to, kernel);
+  }
+}
 
-// The most records that are faster one by one than as a part of a group. The smallest records, of degree 0 and 1, always
-// are. As measured (tests/bench/plain_targets.cpp).
-template <class T, std::size_t Out, std::size_t In>
-constexpr std::size_t kMostSingle = kGroup<T> == 1 || In + Out <= kVectorised ? std::numeric_limits<std::size_t>::max()
-                                    : kGroup<T> < 8 || In + Out < 40          ? kGroup<T> - 1
-                                                                              : 3;
-
-// n records by groups. What is left over is part of a group that ends with the last record, which computes some again,
-// from inputs that must still be there; of a call of few, part of a group in memory of its own.
-template <class T, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Groups, std::size_t Out, std::size_t InA,
-          std::size_t InB = 0>
+// n records by groups. Those that are left over are part of a group that ends with the last record, which computes some
+// again, from inputs that must still be there, or part of a group of their own.
+template <class T, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Groups, detail::RecordKernel<T> Part,
+          std::size_t Out, std::size_t InA, std::size_t InB = 0>
 [[gnu::noinline]] void run_groups(const T* a, const T* b, std::size_t n, T* to) {
   const std::size_t whole = n / kGroup<T>;
   const std::size_t rest = n % kGroup<T>;
-  const bool may_overlap = whole > 0 && rest > 2 && a != to && b != to;
-  if (whole > 0) Groups(a, b, whole, to);
+  const bool may_overlap = rest > 2 && a != to && b != to;
+  Groups(a, b, whole, to);
   if (rest == 0) return;
   const std::size_t first = may_overlap ? n - kGroup<T> : whole * kGroup<T>;
   a += first * InA;
@@ -243,25 +283,21 @@ template <class T, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Gro
   to += first * Out;
   if (may_overlap) return Groups(a, b, 1, to);
   if (rest <= kMostSingle<T, Out, InA + InB>) return OneByOne(a, b, rest, to);
-  T in[kGroup<T> * (InA + InB)];
-  T result[kGroup<T> * Out];
-  const auto copy = [rest](const T* from, std::size_t size, T* room) {
-    std::memcpy(room, from, rest * size * sizeof(T));
-    std::memset(room + rest * size, 0, (kGroup<T> - rest) * size * sizeof(T));
-  };
-  T* const second = static_cast<T*>(in) + kGroup<T> * InA;
-  copy(a, InA, in);
-  if constexpr (InB > 0) copy(b, InB, second);
-  Groups(static_cast<const T*>(in), second, 1, static_cast<T*>(result));
-  std::memcpy(to, result, rest * Out * sizeof(T));
+  Part(a, b, rest, to);
 }
 
 // n records. A call of few saves no registers for groups.
-template <class T, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Groups, std::size_t Out, std::size_t InA,
-          std::size_t InB = 0>
+template <class T, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Groups, detail::RecordKernel<T> Part,
+          std::size_t Out, std::size_t InA, std::size_t InB = 0>
 inline void run_records(const T* a, const T* b, std::size_t n, T* to) {
   if (n <= kMostSingle<T, Out, InA + InB>) return OneByOne(a, b, n, to);
-  if constexpr (kGroup<T> != 1) run_groups<T, OneByOne, Groups, Out, InA, InB>(a, b, n, to);
+  if constexpr (kMostSingle<T, Out, InA + InB> < kGroup<T>) {
+    if (n < kGroup<T>) return Part(a, b, n, to);
+    if (!kIsVectorised<Out, InA + InB> || n < 2 * kGroup<T>) {
+      return run_groups<T, OneByOne, Groups, Part, Out, InA, InB>(a, b, n, to);
+    }
+    OneByOne(a, b, n, to);
+  }
 }
 
 }  // namespace sh::batch::SH_BATCH_ISA

@@ -68,19 +68,21 @@ inline void widen(const Half* from, std::size_t count, float* to) {
 inline void widen(const Half* /*from*/, std::size_t /*count*/, double* /*to*/) {}  // float only
 
 // load_rows and load_columns of records in half precision.
-inline Wide load_rows(const Half* from, std::size_t step) {
+inline Wide load_rows(const Half* first, const Half* second) {
 #if defined(__AVX2__)
-  const __m128 low = _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)));
-  const __m128 both = _mm_loadh_pi(low, reinterpret_cast<const __m64*>(from + 4 * step));
+  const __m128 low = _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(first)));
+  const __m128 both = _mm_loadh_pi(low, reinterpret_cast<const __m64*>(second));
   return _mm256_cvtph_ps(_mm_castps_si128(both));
 #else
-  static_cast<void>(step);
-  return widen_four(from);
+  static_cast<void>(second);
+  return widen_four(first);
 #endif
 }
 [[gnu::always_inline]] inline Tiles load_columns(const Half* records, std::size_t size) {
-  return transposed(load_rows(records, size), load_rows(records + size, size), load_rows(records + 2 * size, size),
-                    load_rows(records + 3 * size, size));
+  const auto rows = [=](std::size_t i) __attribute__((always_inline)) {
+    return load_rows(records + i * size, records + (i + 4) % kWide * size);
+  };
+  return transposed(rows(0), rows(1), rows(2), rows(3));
 }
 
 }  // namespace sh::batch::SH_BATCH_ISA

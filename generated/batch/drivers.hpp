@@ -70,7 +70,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
 /// Domain: |d| = 1 for d = (x, y, z); z is the polar axis.
 [[gnu::always_inline]] inline void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
   if (!detail::are_given(out, directions)) return detail::run_any<float>(detail::run_basis, degree, n, out, directions);
-  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions)) {
+  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions))) {
     if (degree == 0) return detail::loop_basis<0>(n, directions.data, out.data);
     if (degree == 1) return detail::loop_basis<1>(n, directions.data, out.data);
   }
@@ -78,7 +78,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
 }
 [[gnu::always_inline]] inline void basis(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
   if (!detail::are_given(out, directions)) return detail::run_any<double>(detail::run_basis, degree, n, out, directions);
-  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions)) {
+  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions))) {
     if (degree == 0) return detail::loop_basis<0>(n, directions.data, out.data);
     if (degree == 1) return detail::loop_basis<1>(n, directions.data, out.data);
   }
@@ -90,7 +90,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
 /// Domain: any d = (x, y, z); z is the polar axis.
 [[gnu::always_inline]] inline void basis_gradient(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
   if (!detail::are_given(out, directions)) return detail::run_any<float>(detail::run_basis_gradient, degree, n, out, directions);
-  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions)) {
+  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions))) {
     if (degree == 0) return detail::loop_basis_gradient<0>(n, directions.data, out.data);
     if (degree == 1) return detail::loop_basis_gradient<1>(n, directions.data, out.data);
   }
@@ -98,7 +98,7 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
 }
 [[gnu::always_inline]] inline void basis_gradient(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
   if (!detail::are_given(out, directions)) return detail::run_any<double>(detail::run_basis_gradient, degree, n, out, directions);
-  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions)) {
+  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions))) {
     if (degree == 0) return detail::loop_basis_gradient<0>(n, directions.data, out.data);
     if (degree == 1) return detail::loop_basis_gradient<1>(n, directions.data, out.data);
   }
@@ -110,14 +110,14 @@ void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* 
 /// Domain: |d| = 1 for d = (x, y, z); z is the polar axis; any c.
 [[gnu::always_inline]] inline void evaluate(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
   if (!detail::are_given(out, c, directions)) return detail::run_any<float>(detail::run_evaluate, degree, n, out, c, directions);
-  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
+  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions))) {
     if (degree == 0) return detail::loop_evaluate<0>(n, c.data, directions.data, out.data);
   }
   detail::run_direct<float>(detail::evaluate_float, detail::run_evaluate, degree, 10, n, out, c, directions);
 }
 [[gnu::always_inline]] inline void evaluate(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
   if (!detail::are_given(out, c, directions)) return detail::run_any<double>(detail::run_evaluate, degree, n, out, c, directions);
-  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
+  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions))) {
     if (degree == 0) return detail::loop_evaluate<0>(n, c.data, directions.data, out.data);
   }
   detail::run_direct<double>(detail::evaluate_double, detail::run_evaluate, degree, 10, n, out, c, directions);
@@ -129,14 +129,14 @@ void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const fl
 /// Domain: |d| = 1 for d = (x, y, z); z is the polar axis; any c.
 [[gnu::always_inline]] inline void evaluate_rgb(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
   if (!detail::are_given(out, c, directions)) return detail::run_any<float>(detail::run_evaluate_rgb, degree, n, out, c, directions);
-  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
+  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions))) {
     if (degree == 0) return detail::loop_evaluate_rgb<0>(n, c.data, directions.data, out.data);
   }
   detail::run_direct<float>(detail::evaluate_rgb_float, detail::run_evaluate_rgb, degree, 10, n, out, c, directions);
 }
 [[gnu::always_inline]] inline void evaluate_rgb(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
   if (!detail::are_given(out, c, directions)) return detail::run_any<double>(detail::run_evaluate_rgb, degree, n, out, c, directions);
-  if (SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions)) {
+  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions))) {
     if (degree == 0) return detail::loop_evaluate_rgb<0>(n, c.data, directions.data, out.data);
   }
   detail::run_direct<double>(detail::evaluate_rgb_double, detail::run_evaluate_rgb, degree, 10, n, out, c, directions);

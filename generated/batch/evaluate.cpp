@@ -30,7 +30,7 @@ template <int Degree, class T>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* b, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
     const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a) + i * ((Degree + 1) * (Degree + 1)), reinterpret_cast<const One<T>*>(b) + i * 3};
-    RecordValues<1, T> record(to + i * 1);
+    RecordValues<1, ((Degree + 1) * (Degree + 1)) + 3, T> record(to + i * 1);
     One<T>* const out = record.values();
     out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
     record.keep();
@@ -45,8 +45,15 @@ template <int Degree, class T>
 }
 
 template <int Degree, class T>
+[[gnu::flatten]] void in_part(const T* a, const T* b, std::size_t count, T* to) {
+  for_part_of_group<T, 1, ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+    out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
+  });
+}
+
+template <int Degree, class T>
 void records(const T* a, const T* b, std::size_t n, T* to) {
-  run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, 1, ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
+  run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, in_part<Degree, T>, 1, ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
 }
 
 template <int Degree, class T>

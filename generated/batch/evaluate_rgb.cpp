@@ -21,7 +21,7 @@ template <int Degree, class T>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* b, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
     const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a) + i * 3 * ((Degree + 1) * (Degree + 1)), reinterpret_cast<const One<T>*>(b) + i * 3};
-    RecordValues<3, T> record(to + i * 3);
+    RecordValues<3, 3 * ((Degree + 1) * (Degree + 1)) + 3, T> record(to + i * 3);
     One<T>* const out = record.values();
     sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
     record.keep();
@@ -36,8 +36,15 @@ template <int Degree, class T>
 }
 
 template <int Degree, class T>
+[[gnu::flatten]] void in_part(const T* a, const T* b, std::size_t count, T* to) {
+  for_part_of_group<T, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+    sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
+  });
+}
+
+template <int Degree, class T>
 void records(const T* a, const T* b, std::size_t n, T* to) {
-  run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
+  run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, in_part<Degree, T>, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
 }
 
 template <int Degree, class T>

@@ -38,13 +38,19 @@ using Wide = Four;
 inline Wide load_wide(const float* from) { return load(from); }
 #endif
 
-// Four values of each of kWide / 4 rows, which are 4 rows apart, side by side.
-inline Wide load_rows(const float* from, std::size_t step) {
+// Record i of `count`; the first one stands for those that are missing.
+template <class T>
+[[gnu::always_inline]] inline const T* record_of(const T* records, std::size_t size, std::size_t count, std::size_t i) {
+  return records + (i < count ? i * size : 0);
+}
+
+// Four values of each of kWide / 4 rows side by side; second: of the row 4 rows on.
+inline Wide load_rows(const float* first, const float* second) {
 #if defined(__AVX2__)
-  return _mm256_insertf128_ps(_mm256_castps128_ps256(load(from)), load(from + 4 * step), 1);
+  return _mm256_insertf128_ps(_mm256_castps128_ps256(load(first)), load(second), 1);
 #else
-  static_cast<void>(step);
-  return load(from);
+  static_cast<void>(second);
+  return load(first);
 #endif
 }
 
@@ -84,10 +90,12 @@ struct Tiles {
   return {{pick<0, 1, 4, 5>(a, c), pick<2, 3, 6, 7>(a, c), pick<0, 1, 4, 5>(b, d), pick<2, 3, 6, 7>(b, d)}};
 }
 
-// Four values of kWide records, `size` values apart -> four columns.
-[[gnu::always_inline]] inline Tiles load_columns(const float* records, std::size_t size) {
-  return transposed(load_rows(records, size), load_rows(records + size, size), load_rows(records + 2 * size, size),
-                    load_rows(records + 3 * size, size));
+// Four values of kWide records, `size` values apart -> four columns. count: the records that are there.
+[[gnu::always_inline]] inline Tiles load_columns(const float* records, std::size_t size, std::size_t count = kWide) {
+  const auto rows = [=](std::size_t i) __attribute__((always_inline)) {
+    return load_rows(record_of(records, size, count, i), record_of(records, size, count, i + 4));
+  };
+  return transposed(rows(0), rows(1), rows(2), rows(3));
 }
 
 // kSide values of kTaken records, `size` values apart -> a part of a block.
@@ -99,20 +107,19 @@ inline void spread_records(const float* records, std::size_t size, float* block)
   store(block + 3 * kBlock<float>, columns.v[3]);
 }
 
-// The same back, from four columns.
+// The same back, from four columns, to the first `count` records.
 [[gnu::always_inline]] inline void join_columns(const Wide& c0, const Wide& c1, const Wide& c2, const Wide& c3,
-                                                float* records, std::size_t size) {
+                                                float* records, std::size_t size, std::size_t count = kWide) {
   const Tiles rows = transposed(c0, c1, c2, c3);  // record i, and record 4 + i beside it
-  store(records, __builtin_shufflevector(rows.v[0], rows.v[0], 0, 1, 2, 3));
-  store(records + size, __builtin_shufflevector(rows.v[1], rows.v[1], 0, 1, 2, 3));
-  store(records + 2 * size, __builtin_shufflevector(rows.v[2], rows.v[2], 0, 1, 2, 3));
-  store(records + 3 * size, __builtin_shufflevector(rows.v[3], rows.v[3], 0, 1, 2, 3));
+#pragma GCC unroll 4
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (i < count) store(records + i * size, __builtin_shufflevector(rows.v[i], rows.v[i], 0, 1, 2, 3));
+  }
 #if defined(__AVX2__)
-  records += 4 * size;
-  store(records, __builtin_shufflevector(rows.v[0], rows.v[0], 4, 5, 6, 7));
-  store(records + size, __builtin_shufflevector(rows.v[1], rows.v[1], 4, 5, 6, 7));
-  store(records + 2 * size, __builtin_shufflevector(rows.v[2], rows.v[2], 4, 5, 6, 7));
-  store(records + 3 * size, __builtin_shufflevector(rows.v[3], rows.v[3], 4, 5, 6, 7));
+#pragma GCC unroll 4
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (4 + i < count) store(records + (4 + i) * size, __builtin_shufflevector(rows.v[i], rows.v[i], 4, 5, 6, 7));
+  }
 #endif
 }
 inline void join_records(const float* block, float* records, std::size_t size) {
@@ -138,10 +145,10 @@ constexpr std::size_t kTilesOfSlab = sizeof(T) == sizeof(float) ? 2 : 3;
 [[gnu::always_inline]] inline void keep_order() { asm volatile("" ::: "memory"); }
 
 // So many tiles of kTaken lanes -> records of `size` values, record by record. columns(k): column k, a Wide. alone: the
-// column before, which no tile holds, as an array; null: none.
+// column before, which no tile holds, as an array; null: none. count: of the records that are there.
 template <std::size_t Count, class Columns>
 [[gnu::always_inline]] inline void join_slab(const Columns& columns, const float* alone, float* records,
-                                             std::size_t size) {
+                                             std::size_t size, std::size_t count = kTaken<float>) {
   Tiles left[Count];
   const auto tile = [&](std::size_t k) __attribute__((always_inline)) {
     return transposed(columns(k), columns(k + 1), columns(k + 2), columns(k + 3));
@@ -161,6 +168,7 @@ template <std::size_t Count, class Columns>
       store(records + 8 * t, Wide(__builtin_shufflevector(left[t].v[i], right[t].v[i], 0, 1, 2, 3, 8, 9, 10, 11)));
     }
     keep_order();
+    if (i + 1 == count) return;
     records += size;
   }
 #pragma GCC unroll 8
@@ -171,6 +179,7 @@ template <std::size_t Count, class Columns>
       store(records + 8 * t, Wide(__builtin_shufflevector(left[t].v[i], right[t].v[i], 4, 5, 6, 7, 12, 13, 14, 15)));
     }
     keep_order();
+    if (5 + i == count) return;
     records += size;
   }
 #else
@@ -182,6 +191,7 @@ template <std::size_t Count, class Columns>
 #pragma GCC unroll 8
     for (std::size_t t = 0; t < Count; ++t) store(records + 4 * t, left[t].v[i]);
     keep_order();
+    if (i + 1 == count) return;
     records += size;
   }
 #endif
@@ -208,9 +218,11 @@ struct DoubleTile {
            __builtin_shufflevector(a, c, 2, 3, 6, 7), __builtin_shufflevector(b, d, 2, 3, 6, 7)}};
 }
 inline Doubles load_doubles(const double* from) { return _mm256_loadu_pd(from); }
-[[gnu::always_inline]] inline DoubleTile load_tile(const double* from, std::size_t step) {
-  return transposed(load_doubles(from), load_doubles(from + step), load_doubles(from + 2 * step),
-                    load_doubles(from + 3 * step));
+[[gnu::always_inline]] inline DoubleTile load_columns(const double* records, std::size_t size, std::size_t count = 4) {
+  const auto row = [=](std::size_t i) __attribute__((always_inline)) {
+    return load_doubles(record_of(records, size, count, i));
+  };
+  return transposed(row(0), row(1), row(2), row(3));
 }
 inline void store(double* to, const Doubles& v) { _mm256_storeu_pd(to, v); }
 #else
@@ -226,15 +238,15 @@ inline Two load_doubles(const double* from) {
   std::memcpy(&v, from, sizeof v);
   return v;
 }
-[[gnu::always_inline]] inline DoubleTile load_tile(const double* from, std::size_t step) {
-  return transposed(load_doubles(from), load_doubles(from + step));
+[[gnu::always_inline]] inline DoubleTile load_columns(const double* records, std::size_t size) {
+  return transposed(load_doubles(records), load_doubles(records + size));
 }
 inline void store(double* to, const Two& v) { std::memcpy(to, &v, sizeof v); }
 #endif
 
 template <std::size_t Count, class Columns>
 [[gnu::always_inline]] inline void join_slab(const Columns& columns, const double* alone, double* records,
-                                             std::size_t size) {
+                                             std::size_t size, std::size_t count = kTaken<double>) {
   constexpr std::size_t kTile = kSide<double>;
   DoubleTile tiles[Count];
 #pragma GCC unroll 8
@@ -252,6 +264,7 @@ template <std::size_t Count, class Columns>
 #pragma GCC unroll 8
     for (std::size_t t = 0; t < Count; ++t) store(records + kTile * t, tiles[t].v[i]);
     keep_order();
+    if (i + 1 == count) return;
     records += size;
   }
 }
@@ -259,9 +272,8 @@ inline auto columns_of(const double* block) {
   return [block](std::size_t k) __attribute__((always_inline)) { return load_doubles(block + k * kBlock<double>); };
 }
 
-inline DoubleTile load_columns(const double* records, std::size_t size) { return load_tile(records, size); }
 inline void spread_records(const double* records, std::size_t size, double* block) {
-  const DoubleTile columns = load_tile(records, size);
+  const DoubleTile columns = load_columns(records, size);
 #pragma GCC unroll 4
   for (std::size_t k = 0; k < kSide<double>; ++k) store(block + k * kBlock<double>, columns.v[k]);
 }
@@ -277,29 +289,44 @@ struct Triple {
 template <class T>
 constexpr bool kHasTriples = true;
 
-inline Triple load_triples(const float* records) {
-  const Wide r0 = load_wide(records);
-  const Wide r1 = load_wide(records + 8);
-  const Wide r2 = load_wide(records + 16);
+[[gnu::always_inline]] inline Triple triples(const Wide& r0, const Wide& r1, const Wide& r2) {
   const Wide x = _mm256_blend_ps(_mm256_blend_ps(r0, r1, 0x92), r2, 0x24);  // 0 9 18 3 12 21 6 15
   const Wide y = _mm256_blend_ps(_mm256_blend_ps(r0, r1, 0x24), r2, 0x49);  // 16 1 10 19 4 13 22 7
   const Wide z = _mm256_blend_ps(_mm256_blend_ps(r0, r1, 0x49), r2, 0x92);  // 8 17 2 11 20 5 14 23
   return {__builtin_shufflevector(x, x, 0, 3, 6, 1, 4, 7, 2, 5), __builtin_shufflevector(y, y, 1, 4, 7, 2, 5, 0, 3, 6),
           __builtin_shufflevector(z, z, 2, 5, 0, 3, 6, 1, 4, 7)};
 }
+inline Triple load_triples(const float* records) {
+  return triples(load_wide(records), load_wide(records + 8), load_wide(records + 16));
+}
+// Those of `count` records; zeros for those that are missing.
+inline Triple load_triples(const float* records, std::size_t count) {
+  const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+  const auto load = [=](int at) __attribute__((always_inline)) {
+    return _mm256_maskload_ps(records + at, _mm256_cmpgt_epi32(_mm256_set1_epi32(3 * int(count) - at), lanes));
+  };
+  return triples(load(0), load(8), load(16));
+}
 struct DoubleTriple {
   Doubles x, y, z;
 };
-inline DoubleTriple load_triples(const double* records) {
-  const __m256d r0 = _mm256_loadu_pd(records);
-  const __m256d r1 = _mm256_loadu_pd(records + 4);
-  const __m256d r2 = _mm256_loadu_pd(records + 8);
+[[gnu::always_inline]] inline DoubleTriple triples(const Doubles& r0, const Doubles& r1, const Doubles& r2) {
   const __m256d first = _mm256_permute2f128_pd(r0, r1, 0x30);   // 0 1 6 7
   const __m256d second = _mm256_permute2f128_pd(r0, r2, 0x21);  // 2 3 8 9
   const __m256d third = _mm256_permute2f128_pd(r1, r2, 0x30);   // 4 5 10 11
   return {_mm256_shuffle_pd(first, second, 0xa),                // 0 3 6 9
           _mm256_shuffle_pd(first, third, 0x5),                 // 1 4 7 10
           _mm256_shuffle_pd(second, third, 0xa)};               // 2 5 8 11
+}
+inline DoubleTriple load_triples(const double* records) {
+  return triples(load_doubles(records), load_doubles(records + 4), load_doubles(records + 8));
+}
+inline DoubleTriple load_triples(const double* records, std::size_t count) {
+  const __m256i lanes = _mm256_setr_epi64x(0, 1, 2, 3);
+  const auto load = [=](int at) __attribute__((always_inline)) {
+    return _mm256_maskload_pd(records + at, _mm256_cmpgt_epi64(_mm256_set1_epi64x(3 * int(count) - at), lanes));
+  };
+  return triples(load(0), load(4), load(8));
 }
 #else
 template <class T>

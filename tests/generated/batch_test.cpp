@@ -2,6 +2,8 @@
 #include "generated/batch/batch.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -123,17 +125,50 @@ TYPED_TEST(BatchDrivers, GiveARecordTheSameBitsWhereverItStands) {
   }
 }
 
-// Runs run(n, first record) for all records at once, then for a few at a time, and expects the same values.
+// Values that end where memory ends: to read or write past them is a fault.
+template <class T>
+class FencedArray {
+ public:
+  explicit FencedArray(std::size_t size) : size_(size) {
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    const std::size_t bytes = (size * sizeof(T) + page - 1) / page * page;
+    mapped_ = bytes + page;
+    memory_ = mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    char* const fence = static_cast<char*>(memory_) + bytes;
+    if (memory_ == MAP_FAILED || mprotect(fence, page, PROT_NONE) != 0) throw std::runtime_error("no memory");
+    values_ = reinterpret_cast<T*>(fence) - size;
+  }
+  FencedArray(const FencedArray&) = delete;
+  FencedArray& operator=(const FencedArray&) = delete;
+  ~FencedArray() { munmap(memory_, mapped_); }
+
+  [[nodiscard]] T* data() const { return values_; }
+  [[nodiscard]] T* begin() const { return values_; }
+  [[nodiscard]] T* end() const { return values_ + size_; }
+
+ private:
+  std::size_t size_, mapped_;
+  void* memory_;
+  T* values_;
+};
+
+// Runs run(n, first record, out) for all records at once, then for a few at a time, the last ones first, and expects the
+// same values: what a call writes past its records would replace those of the call before.
 template <class T, class Run>
 void expect_same_in_small_calls(std::size_t n, std::size_t size, const std::string& what, const Run& run) {
   std::vector<T> all(n * size);
   run(n, 0, all.data());
+  const FencedArray<T> parts(n * size);
   // 37 is whole blocks and 5 records; the others are parts of groups, and groups and parts.
   constexpr std::array<std::size_t, 13> kFew{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 15, 37};
   for (const std::size_t few : kFew) {
-    std::vector<T> parts(n * size);
-    for (std::size_t i = 0; i < n; i += few) run(std::min(few, n - i), i, parts.data() + i * size);
-    EXPECT_EQ(parts, all) << what << ", " << few << " records at a time";
+    std::fill(parts.begin(), parts.end(), T(0));
+    for (std::size_t end = n; end > 0;) {
+      const std::size_t first = end - std::min(few, end);
+      run(end - first, first, parts.data() + first * size);
+      end = first;
+    }
+    EXPECT_EQ(std::vector<T>(parts.begin(), parts.end()), all) << what << ", " << few << " records at a time";
   }
 }
 
@@ -142,19 +177,19 @@ TYPED_TEST(BatchDrivers, GiveTheSameBitsInSmallCallsAtEveryDegree) {
   constexpr std::size_t n = 43;
   std::mt19937 random(17);
   std::uniform_real_distribution<T> uniform(-1, 1);
-  std::vector<T> d(3 * n);
+  const FencedArray<T> d(3 * n);
   for (std::size_t i = 0; i < n; ++i) {
     const std::vector<T> direction = subjects<T>().front().record(0, random);
     std::copy(direction.begin(), direction.end(), d.begin() + static_cast<std::ptrdiff_t>(3 * i));
   }
-  std::vector<T> c(3 * coefficient_count(10) * n);
+  const FencedArray<T> c(3 * coefficient_count(10) * n);
   for (T& value : c) value = uniform(random);
   for (int degree = 0; degree <= 10; ++degree) {
     const auto size = static_cast<std::size_t>(coefficient_count(degree));
     const std::string at = " of degree " + std::to_string(degree);
     const auto directions = [&](std::size_t i) { return batch::plain<const T>(d.data() + 3 * i); };
     const auto coefficients = [&](std::size_t i, std::size_t sets) {
-      return batch::plain<const T>(c.data() + sets * size * i);
+      return batch::plain<const T>(c.end() - sets * size * (n - i));  // the last ones end where memory ends
     };
     on_every_set([&] {
       expect_same_in_small_calls<T>(n, size, "basis" + at, [&](std::size_t count, std::size_t i, T* out) {
