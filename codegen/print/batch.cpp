@@ -203,6 +203,32 @@ std::string arguments_of(const RecordSignature& s, bool half) {
          (half ? ", " + s.inputs[0].name + ".data" : "");
 }
 
+// The arrays of a driver whose records hold the coefficients of so many channels, as bits of Colors in choice.hpp.
+std::string arrays_of_channels(const Driver& driver, int channels) {
+  const RecordSignature s = signature_of(driver.last());
+  const int bands = driver.last().degree + 1;
+  const int size = channels * bands * bands;
+  std::string bits;
+  const auto add = [&](const std::string& bit) { bits += (bits.empty() ? "" : " | ") + bit; };
+  for (std::size_t j = 0; j < s.inputs.size(); ++j) {
+    if (s.inputs[j].size == size && !s.inputs[j].shared) add(std::to_string(1U << j));
+  }
+  if (s.out_size == size && !s.sums) add("detail::kOutput");
+  return bits;
+}
+
+// Whether a driver maps coefficients to coefficients: those of three channels, one after the other.
+bool maps_coefficients(const Driver& driver) {
+  return arrays_of_channels(driver, 1).find("| detail") != std::string::npos;
+}
+
+// The arrays that may be interleaved: Colors of choice.hpp.
+std::string colors_of(const Driver& driver) {
+  if (maps_coefficients(driver)) return ", {" + arrays_of_channels(driver, 1) + ", false}";
+  const std::string arrays = arrays_of_channels(driver, 3);
+  return arrays.empty() ? "" : ", {" + arrays + ", true}";
+}
+
 std::string definition(const Driver& driver, const Overload& types) {
   const Kernel& kernel = driver.last();
   const RecordSignature s = signature_of(kernel);
@@ -219,7 +245,7 @@ std::string definition(const Driver& driver, const Overload& types) {
       R"(
 $tables$signature {
   static constexpr detail::Run<$t> kEvery[] = SH_BATCH_EVERY($name);
-  detail::run<$t>("$name", kEvery, {degree, n, $arguments}, $count, $degree, $size);
+  detail::run<$t>("$name", kEvery, {degree, n, $arguments}, $count, $degree, $size$colors);
 }
 )",
       {{"tables", tables},
@@ -229,7 +255,8 @@ $tables$signature {
        {"arguments", arguments},
        {"count", std::to_string(s.inputs.size())},
        {"degree", std::to_string(kernel.degree)},
-       {"size", s.sums ? "{0, 0}" : size_in_code(s.out_size, kernel.degree)}});
+       {"size", s.sums ? "{0, 0}" : size_in_code(s.out_size, kernel.degree)},
+       {"colors", colors_of(driver)}});
 }
 
 std::string drivers_file(const std::vector<Driver>& drivers) {
@@ -256,13 +283,15 @@ std::string drivers_file(const std::vector<Driver>& drivers) {
 // The memory that a driver needs in addition to the caller's arrays, in lines of 64 bytes.
 int room_lines(const Driver& driver) {
   const RecordSignature s = signature_of(driver.last());
+  const int channels = maps_coefficients(driver) ? 3 : 1;
+  const int out = channels * s.out_size;
   int in = 0;
-  for (const Record& record : s.inputs) in += record.shared ? 0 : record.size;
+  for (const Record& record : s.inputs) in += record.shared ? 0 : channels * record.size;
   int prepared = 0;
   if (driver.prepares()) prepared = 2 * signature_of(driver.prepare->back().kernel).out_size;  // once plain
-  const int chunk = std::max(kChunkLines, in + s.out_size);
+  const int chunk = std::max(kChunkLines, in + out);
   const int halves = driver.spec.half ? s.inputs[0].size : 0;  // widened before they are put in place
-  return in + prepared + chunk + std::max(kChunkLines, s.out_size) + halves;
+  return in + prepared + chunk + std::max(kChunkLines, out) + halves;
 }
 
 std::string sizes_header(const std::vector<Driver>& drivers) {

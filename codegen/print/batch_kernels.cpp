@@ -86,21 +86,35 @@ $body}
                  {"body", has_stages ? in_stages(kernel, loop, statement) : statement}});
 }
 
+// Whether input 0 holds the coefficients of three channels.
+bool has_colors(const Kernel& kernel) {
+  const int bands = kernel.degree + 1;
+  return signature_of(kernel).inputs[0].size == 3 * bands * bands;
+}
+
+constexpr std::string_view kInterleavedRecords = R"(
+template <int Degree, class T>
+void interleaved(const T* a, const T* b, std::size_t n, T* to) {
+  using Rows = ByChannelOf<(Degree + 1) * (Degree + 1)>;
+  run_records<T, one_by_one<Degree, T, Rows>, in_groups<Degree, T, Rows>, in_part<Degree, T, Rows>, $size$sizes>(a, b, n, to);
+}
+)";
+
 // Kernels of plain records, one by one and by groups, and what chooses between them; of whole blocks.
 std::string record_kernels(const Kernel& kernel) {
   const RecordSignature s = signature_of(kernel);
   std::string inputs, sizes, sum;
   for (std::size_t j = 0; j < s.inputs.size(); ++j) {
     const std::string size = size_in_degree(s.inputs[j].size, kernel);
-    inputs += (j == 0 ? "" : ", ") + filled("reinterpret_cast<const One<T>*>($array) + i * $size",
-                                            {{"array", j == 0 ? "a" : "b"}, {"size", size}});
+    inputs += j == 0 ? "first.values()" : ", reinterpret_cast<const One<T>*>(b) + i * " + size;
     sizes += ", " + size;
     sum += (j == 0 ? "" : " + ") + size;
   }
   return filled(
-      R"(template <int Degree, class T>
+      R"(template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* $b, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
+    const RecordInputs<$first, T, Rows> first(a + i * $first);
     const One<T>* const in[] = {$inputs};
     RecordValues<$size, $in, T> record(to + i * $size);
     One<T>* const out = record.values();
@@ -109,16 +123,16 @@ std::string record_kernels(const Kernel& kernel) {
   }
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten]] void in_groups(const T* a, const T* b, std::size_t count, T* to) {
-  for_every_group<T, $size$sizes>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+  for_every_group<T, Rows, $size$sizes>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     $call
   });
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten]] void in_part(const T* a, const T* b, std::size_t count, T* to) {
-  for_part_of_group<T, $size$sizes>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+  for_part_of_group<T, Rows, $size$sizes>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     $call
   });
 }
@@ -127,14 +141,18 @@ template <int Degree, class T>
 void records(const T* a, const T* b, std::size_t n, T* to) {
   run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, in_part<Degree, T>, $size$sizes>(a, b, n, to);
 }
-
+$interleaved
 template <int Degree, class T>
 void blocks(const T* a, const T* b, std::size_t count, T* to) {
   kernel<Degree>(whole_blocks<T, $size$sizes>(a, b, count, to));
 }
 
 )",
-      {{"inputs", inputs},
+      {{"interleaved", has_colors(kernel) ? filled(kInterleavedRecords,
+                                                   {{"size", size_in_degree(s.out_size, kernel)}, {"sizes", sizes}})
+                                          : ""},
+       {"inputs", inputs},
+       {"first", size_in_degree(s.inputs[0].size, kernel)},
        {"sizes", sizes},
        {"in", sum},
        {"b", s.inputs.size() > 1 ? "b" : "/*b*/"},
@@ -148,8 +166,10 @@ std::string direct_table(const Driver& driver, const std::string& scalar) {
       filled("extern const detail::DirectKernels<$t> $table[];\nconst detail::DirectKernels<$t> $table[] = {\n",
              {{"t", scalar}, {"table", table_of_direct(driver, scalar)}});
   for (const FinishedKernel& finished : driver.kernels) {
-    text += filled("    {records<$degree, $t>, blocks<$degree, $t>},\n",
-                   {{"degree", std::to_string(finished.kernel.degree)}, {"t", scalar}});
+    const std::string_view row = has_colors(driver.last())
+                                     ? "    {records<$degree, $t>, blocks<$degree, $t>, interleaved<$degree, $t>},\n"
+                                     : "    {records<$degree, $t>, blocks<$degree, $t>},\n";
+    text += filled(row, {{"degree", std::to_string(finished.kernel.degree)}, {"t", scalar}});
   }
   return text + "};\n";
 }
@@ -190,6 +210,7 @@ std::string plan_row(const Driver& driver, std::size_t i) {
   if (shared_input(s) >= 0) shared = ", " + std::to_string(shared_input(s));
   if (!records.empty()) shared += ", " + records;
   if (driver.spec.groups) shared = ", -1, nullptr, nullptr, records" + at_degree + ", T>";
+  if (driver.spec.groups && has_colors(driver.last())) shared += ", interleaved" + at_degree + ", T>";
   return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish$shared},\n",
                 {{"inputs", std::to_string(s.inputs.size())},
                  {"sizes", sizes},

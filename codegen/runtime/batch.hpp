@@ -11,8 +11,8 @@
 // same layout and record size; otherwise arrays must not overlap. Outputs that outgrow the last cache are written past
 // it (not from half precision). Nothing is allocated.
 //
-// Errors: std::invalid_argument when the degree is out of range, an array is missing or an output is shared. Inputs
-// outside a kernel's domain give what the kernel gives.
+// Errors: std::invalid_argument when the degree is out of range, an array is missing, an output is shared or an array is
+// interleaved that has no colors. Inputs outside a kernel's domain give what the kernel gives.
 #pragma once
 
 #include "drivers.hpp"

@@ -56,21 +56,42 @@ void check_degree(const char* function, int degree, int largest) {
   refuse(function, "expected a degree of 0 to " + std::to_string(largest) + ", got " + std::to_string(degree));
 }
 
+// The channels that a kernel computes one after the other.
 template <class T>
-void check(const char* driver, Call<T>& call, int inputs, int largest_degree, OutputSize size) {
+std::size_t channels_of(const char* driver, const Call<T>& call, int inputs, Colors colors) {
+  unsigned interleaved = call.out.layout == Layout::kInterleaved ? kOutput : 0;
+  for (int j = 0; j < inputs; ++j) {
+    if (call.in[j].layout == Layout::kInterleaved) interleaved |= 1U << static_cast<unsigned>(j);
+  }
+  if ((interleaved & ~colors.arrays) != 0) {
+    refuse(driver, std::string("expected interleaved arrays only for ") +
+                       (colors.arrays == 0  ? "coefficients of three channels, of which there are none"
+                        : colors.in_records ? "coefficients of three channels"
+                                            : "coefficients"));
+  }
+  if (interleaved == 0 || colors.in_records) return 1;
+  if ((interleaved & kOutput) == 0 || interleaved == kOutput) {
+    refuse(driver, "expected an interleaved output with interleaved inputs, got one of them");
+  }
+  return 3;
+}
+
+template <class T>
+void check(const char* driver, Call<T>& call, int inputs, int largest_degree, OutputSize size, Colors colors) {
   check_degree(driver, call.degree, largest_degree);
   if (call.out.layout == Layout::kShared) refuse(driver, "expected a plain or blocked output, got a shared one");
+  call.channels = channels_of(driver, call, inputs, colors);
   if (call.n == 0) return;
   bool missing = call.out.data == nullptr;
   for (int j = 0; j < inputs; ++j) missing = missing || (call.in[j].data == nullptr && (j > 0 || call.half == nullptr));
   if (missing) refuse(driver, "expected arrays of " + std::to_string(call.n) + " records, got a null pointer");
   static const auto kLargestCached = static_cast<double>(largest_cached());
   const auto bands = static_cast<std::size_t>(call.degree) + 1;
-  const std::size_t record = (size.sets * bands * bands + size.more) * sizeof(T);
+  const std::size_t record = (size.sets * bands * bands + size.more) * call.channels * sizeof(T);
   call.stream = static_cast<double>(call.n) * static_cast<double>(record) > kLargestCached;
 }
-template void check(const char*, Call<float>&, int, int, OutputSize);
-template void check(const char*, Call<double>&, int, int, OutputSize);
+template void check(const char*, Call<float>&, int, int, OutputSize, Colors);
+template void check(const char*, Call<double>&, int, int, OutputSize, Colors);
 
 }  // namespace detail
 

@@ -101,6 +101,9 @@ template <class T, class... Second>
     if (n % kBlock<T> == 0 && are_lines(out) && are_lines(a) && (are_lines(b) && ...)) {
       return kernels.blocks(a.data, second, n / kBlock<T>, out.data);
     }
+    if (a.layout == Layout::kInterleaved && kernels.interleaved != nullptr && are_plain(out, b...)) {
+      return kernels.interleaved(a.data, second, n, out.data);
+    }
   }
   run_any(any, degree, n, out, a, b...);
 }

@@ -33,7 +33,7 @@ class Driver {
   void run() {
     if (plan_.sums) return sum();
     const std::size_t whole = call_.n / kBlock<T>;
-    const std::size_t chunk = chunk_blocks(direct_out_ ? 0 : plan_.out, whole);
+    const std::size_t chunk = chunk_blocks(direct_out_ ? 0 : size_out(), whole);
     for (std::size_t first = 0; first < whole; first += chunk) {
       step(first * kBlock<T>, whole - first < chunk ? whole - first : chunk, kBlock<T>);
     }
@@ -52,7 +52,7 @@ class Driver {
   }
 
   bool may_overlap() const {
-    bool plain = call_.out.layout == Layout::kPlain;
+    bool plain = call_.out.layout != Layout::kBlocked;
     for (int j = 0; j < plan_.inputs; ++j) {
       plain = plain && call_.in[j].layout != Layout::kBlocked && call_.in[j].data != call_.out.data;
     }
@@ -112,11 +112,18 @@ class Driver {
     blocks_.in[j] = room;
   }
 
+  // Values of a record in an array: those of all channels that it interleaves.
+  std::size_t size_of(Layout layout, std::size_t size) const {
+    return layout == Layout::kInterleaved ? call_.channels * size : size;
+  }
+  std::size_t size_in(int j) const { return size_of(call_.in[j].layout, plan_.in[j]); }
+  std::size_t size_out() const { return size_of(call_.out.layout, plan_.out); }
+
   // Blocks that are copied at a time; out: values of an output record that is copied.
   std::size_t chunk_blocks(std::size_t out, std::size_t whole) const {
     std::size_t copied = out;
     for (int j = 0; j < plan_.inputs; ++j) {
-      copied += direct_in_[j] || (j == 0 && takes_records()) ? 0 : plan_.in[j];
+      copied += direct_in_[j] || (j == 0 && takes_records()) ? 0 : size_in(j);
     }
     const std::size_t blocks = copied == 0 ? whole : detail::kChunkLines / copied;
     return blocks > 0 ? blocks : 1;
@@ -131,24 +138,25 @@ class Driver {
     for (int j = 0; j < plan_.inputs; ++j) {
       const bool shared = call_.in[j].layout == Layout::kShared;
       if (shared && (lanes == kBlock<T> || !plan_.sums)) continue;  // in a sum, lanes that are not in use have to be 0
-      const std::size_t block = plan_.in[j] * kBlock<T>;
+      const std::size_t size = size_in(j);
+      const std::size_t block = size * kBlock<T>;
       blocks_.step[j] = shared ? 0 : block;
       if (is_half(j) && !shared) {
         if (takes_halves() && lanes == kBlock<T>) {
-          blocks_.in[j] = reinterpret_cast<const T*>(call_.half + first * plan_.in[j]);
+          blocks_.in[j] = reinterpret_cast<const T*>(call_.half + first * size);
           blocks_.step[j] = block / 2;
           continue;
         }
         if (takes_records() && lanes == kBlock<T>) {
-          blocks_.in[j] = reinterpret_cast<const T*>(call_.half + first * plan_.in[j]);
+          blocks_.in[j] = reinterpret_cast<const T*>(call_.half + first * size);
           continue;
         }
-        fetch_halves(first * plan_.in[j], count, lanes, room);
+        fetch_halves(first * size, count, lanes, room);
       } else {
-        const T* from = shared ? blocks_.in[j] : call_.in[j].data + first * plan_.in[j];
+        const T* from = shared ? blocks_.in[j] : call_.in[j].data + first * size;
         blocks_.in[j] = from;
         if ((direct_in_[j] || (j == 0 && takes_records())) && lanes == kBlock<T>) continue;
-        fetch(call_.in[j].layout, plan_.in[j], from, count, lanes, room);
+        fetch(call_.in[j].layout, size, from, count, lanes, room);
       }
       blocks_.in[j] = room;
       room += count * block;
@@ -158,8 +166,8 @@ class Driver {
 
   // Input 0 from half precision; a block at a time is widened behind the room that it will take.
   void fetch_halves(std::size_t start, std::size_t count, std::size_t lanes, T* to) const {
-    const std::size_t size = plan_.in[0];
-    const bool plain = call_.in[0].layout == Layout::kPlain;
+    const std::size_t size = size_in(0);
+    const bool plain = call_.in[0].layout != Layout::kBlocked;
     if (!plain && lanes == kBlock<T>) return widen(call_.half + start, count * size * kBlock<T>, to);
     T* wide = to + count * size * kBlock<T>;
     for (std::size_t b = 0; b < count; ++b) {
@@ -179,33 +187,51 @@ class Driver {
 
   void fetch(Layout layout, std::size_t size, const T* from, std::size_t count, std::size_t lanes, T* to) const {
     for (std::size_t b = 0; b < count; ++b, from += size * kBlock<T>, to += size * kBlock<T>) {
-      if (layout == Layout::kPlain) {
-        prefetch(from, size);
-        to_block(from, lanes, size, to);
-      } else {
+      if (layout == Layout::kBlocked) {
         copy_lanes_and_zeros(from, lanes, size, to);
+        continue;
+      }
+      prefetch(from, size);
+      if (layout == Layout::kInterleaved) {
+        to_block(from, lanes, size, to, ByChannel{size / 3});
+      } else {
+        to_block(from, lanes, size, to);
       }
     }
   }
 
   void step(std::size_t first, std::size_t count, std::size_t lanes) {
     T* room = set_inputs(first, count, lanes);
-    const std::size_t block = plan_.out * kBlock<T>;
-    T* out = call_.out.data + first * plan_.out;
+    const std::size_t block = size_out() * kBlock<T>;
+    T* out = call_.out.data + first * size_out();
     blocks_.out_step = block;
     blocks_.out = direct_out_ ? out : room;
     const bool halves = takes_halves() && lanes == kBlock<T>;
     const bool records = takes_records() && lanes == kBlock<T>;
-    (halves ? plan_.kernel_half : records ? records_kernel() : kernel_)(blocks_);
+    run_channels(halves ? plan_.kernel_half : records ? records_kernel() : kernel_);
     if (direct_out_) return;
     if (records) return copy(blocks_.out, count * block, call_.stream, out);
     deliver(count, lanes, room + count * block, out);
   }
 
+  // The channels of interleaved arrays stand one after the other in a block; other inputs serve them all.
+  void run_channels(BlockKernel<T> kernel) {
+    kernel(blocks_);
+    if (call_.channels == 1) return;
+    Blocks<T> channel = blocks_;
+    for (std::size_t c = 1; c < call_.channels; ++c) {
+      for (int j = 0; j < plan_.inputs; ++j) {
+        if (call_.in[j].layout == Layout::kInterleaved) channel.in[j] += plan_.in[j] * kBlock<T>;
+      }
+      channel.out += plan_.out * kBlock<T>;
+      kernel(channel);
+    }
+  }
+
   // spare: room for as many records as were computed.
   void deliver(std::size_t count, std::size_t lanes, T* spare, T* to) const {
-    const std::size_t size = plan_.out;
-    const bool plain = call_.out.layout == Layout::kPlain;
+    const std::size_t size = size_out();
+    const bool plain = call_.out.layout != Layout::kBlocked;
     if (!plain && lanes == kBlock<T>) return copy(blocks_.out, count * size * kBlock<T>, call_.stream, to);
     if (!plain) return copy_lanes(blocks_.out, lanes, size, to);
     constexpr std::size_t kFew = 2;  // records, which are written one by one
@@ -213,7 +239,13 @@ class Driver {
     T* records = by_way_of_spare ? spare : to;
     const std::size_t written = by_way_of_spare ? kBlock<T> : lanes;
     for (std::size_t b = 0; b < count; ++b) {
-      to_records(blocks_.out + b * size * kBlock<T>, written, size, records + b * size * kBlock<T>);
+      const T* const block = blocks_.out + b * size * kBlock<T>;
+      T* const record = records + b * size * kBlock<T>;
+      if (call_.out.layout == Layout::kInterleaved) {
+        to_records(block, written, size, record, ByChannel{size / 3});
+      } else {
+        to_records(block, written, size, record);
+      }
     }
     if (by_way_of_spare) copy(spare, ((count - 1) * kBlock<T> + lanes) * size, call_.stream, to);
   }
@@ -257,12 +289,13 @@ class Driver {
   T* room_ = memory_;
 };
 
-// Whether all records are plain.
+// The kernel that takes all records as they are, plain or with an interleaved input 0; null: none.
 template <class T>
-bool is_plain(const detail::Call<T>& call, const Plan<T>& plan) {
-  bool plain = call.out.layout == Layout::kPlain && call.half == nullptr;
-  for (int j = 0; j < plan.inputs; ++j) plain = plain && call.in[j].layout == Layout::kPlain;
-  return plain;
+detail::RecordKernel<T> record_kernel(const detail::Call<T>& call, const Plan<T>& plan) {
+  bool plain = call.out.layout == Layout::kPlain && call.half == nullptr && !call.stream;
+  for (int j = 1; j < plan.inputs; ++j) plain = plain && call.in[j].layout == Layout::kPlain;
+  if (plain && call.in[0].layout == Layout::kPlain) return plan.kernel_plain;
+  return plain && call.in[0].layout == Layout::kInterleaved ? plan.kernel_interleaved : nullptr;
 }
 
 // Whether all records stand in whole blocks that a kernel can work on, but for an input that is always shared.
@@ -292,8 +325,8 @@ void run_blocks(const detail::Call<T>& call, const Plan<T>& plan) {
 
 template <class T>
 void drive(const detail::Call<T>& call, const Plan<T>& plan) {
-  if (!call.stream && plan.kernel_plain != nullptr && is_plain(call, plan))
-    return plan.kernel_plain(call.in[0].data, call.in[1].data, call.n, call.out.data);
+  if (const auto kernel = record_kernel(call, plan))
+    return kernel(call.in[0].data, call.in[1].data, call.n, call.out.data);
   if (!call.stream && !plan.sums && is_direct(call, plan)) return run_blocks(call, plan);
   Driver<T>(call, plan).run();
 }

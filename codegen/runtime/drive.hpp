@@ -26,9 +26,10 @@ struct Plan {
   // Where the kernel adds up something else: from that to the sum.
   detail::Once<double> finish = nullptr;
   int shared = -1;  // the input that is always shared, and that the kernel takes as scalars; none: -1
-  BlockKernel<T> kernel_records = nullptr;         // from plain records of input 0 to plain records
-  BlockKernel<T> kernel_records_half = nullptr;    // where they are in half precision
-  detail::RecordKernel<T> kernel_plain = nullptr;  // takes and gives plain records
+  BlockKernel<T> kernel_records = nullptr;               // from plain records of input 0 to plain records
+  BlockKernel<T> kernel_records_half = nullptr;          // where they are in half precision
+  detail::RecordKernel<T> kernel_plain = nullptr;        // takes and gives plain records
+  detail::RecordKernel<T> kernel_interleaved = nullptr;  // the same, but input 0 is interleaved
 };
 
 /// The kernel where T is float; none for double.

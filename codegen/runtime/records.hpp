@@ -4,12 +4,15 @@
 // Licence:      MIT-0; paste it anywhere.
 //
 // A record is what a kernel takes or returns in one call: a direction is 3 values, a vector of coefficients bands^2.
-// An array holds n records in one of three layouts; the caller chooses a layout for each argument:
+// An array holds n records in one of four layouts; the caller chooses a layout for each argument:
 //   plain    value k of record i at [i * size + k]: one record after the other
 //   blocked  at [i / kBlock * kBlock * size + k * kBlock + i % kBlock]: blocks of kBlock records, in each of them one
 //            value after the other; kBlock values are 64 bytes on every machine. The array holds whole blocks
 //            (blocked_size); lanes past n are neither read nor written. The fastest, when aligned to 64 bytes.
 //   shared   one record that serves all n (inputs only), e.g. one matrix for many vectors
+//   interleaved  three channels, coefficient by coefficient (r g b r g b ...), as most splats and probes have them: value k
+//            of channel c of record i at [(i * bands^2 + k) * 3 + c]. For coefficients of three channels, and for those of
+//            rotate and product: these compute each channel, and an array of another layout serves all three.
 //
 // The instruction set (AVX-512, AVX2 with FMA, or the compiler's own) is chosen when it is first needed. On one
 // instruction set a result depends only on the values of its record: not on n, layout, alignment or position. The
@@ -30,7 +33,7 @@ enum class Half : std::uint16_t {};
 template <class T>
 inline constexpr std::size_t kBlock = 64 / sizeof(T);
 
-enum class Layout : std::uint8_t { kPlain, kBlocked, kShared };
+enum class Layout : std::uint8_t { kPlain, kBlocked, kShared, kInterleaved };
 
 /// An array of records and how it is laid out.
 template <class T>
@@ -51,6 +54,10 @@ constexpr Records<T> blocked(T* data) noexcept {
 template <class T>
 constexpr Records<T> shared(T* data) noexcept {
   return {data, Layout::kShared};
+}
+template <class T>
+constexpr Records<T> interleaved(T* data) noexcept {
+  return {data, Layout::kInterleaved};
 }
 
 /// Values in a blocked array of n records of `size` values.

@@ -17,10 +17,11 @@ template <int Degree, class T>
   });
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* /*b*/, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
-    const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a) + i * 3};
+    const RecordInputs<3, T, Rows> first(a + i * 3);
+    const One<T>* const in[] = {first.values()};
     RecordValues<((Degree + 1) * (Degree + 1)), 3, T> record(to + i * ((Degree + 1) * (Degree + 1)));
     One<T>* const out = record.values();
     sh::basis<Degree>(in[0][0], in[0][1], in[0][2], out);
@@ -28,16 +29,16 @@ template <int Degree, class T>
   }
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten]] void in_groups(const T* a, const T* b, std::size_t count, T* to) {
-  for_every_group<T, ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+  for_every_group<T, Rows, ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     sh::basis<Degree>(in[0][0], in[0][1], in[0][2], out);
   });
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten]] void in_part(const T* a, const T* b, std::size_t count, T* to) {
-  for_part_of_group<T, ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+  for_part_of_group<T, Rows, ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     sh::basis<Degree>(in[0][0], in[0][1], in[0][2], out);
   });
 }

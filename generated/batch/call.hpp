@@ -20,6 +20,7 @@ struct Call {
   Records<T> out;
   const Half* half = nullptr;  ///< data of input 0 where it is half precision
   bool stream = false;         ///< write past the cache
+  std::size_t channels = 1;    ///< that a kernel computes one after the other, of interleaved arrays
 };
 
 /// A kernel of n plain records, or of n whole blocks. Pointers to the inputs go one by one (b: null where there is one
@@ -27,11 +28,13 @@ struct Call {
 template <class T>
 using RecordKernel = void (*)(const T* a, const T* b, std::size_t n, T* out);
 
-/// The kernels of a degree that need no driver: of plain records, and of blocks that are aligned to lines.
+/// The kernels of a degree that need no driver: of plain records, of blocks that are aligned to lines and, where input 0 has
+/// colors, of plain records beside an interleaved input 0.
 template <class T>
 struct DirectKernels {
   RecordKernel<T> plain;
   RecordKernel<T> blocks;
+  RecordKernel<T> interleaved = nullptr;
 };
 
 /// Something computed once a call.

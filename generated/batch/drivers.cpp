@@ -176,19 +176,19 @@ const detail::DirectKernels<float>* const detail::evaluate_rgb_float[] = SH_BATC
 
 void detail::run_evaluate_rgb(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(evaluate_rgb);
-  detail::run<float>("evaluate_rgb", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 3});
+  detail::run<float>("evaluate_rgb", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 3}, {1, true});
 }
 
 const detail::DirectKernels<double>* const detail::evaluate_rgb_double[] = SH_BATCH_EVERY(evaluate_rgb_double);
 
 void detail::run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(evaluate_rgb);
-  detail::run<double>("evaluate_rgb", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 3});
+  detail::run<double>("evaluate_rgb", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 3}, {1, true});
 }
 
 void evaluate_rgb(int degree, std::size_t n, Records<const Half> c, Records<const float> directions, Records<float> out) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(evaluate_rgb);
-  detail::run<float>("evaluate_rgb", kEvery, {degree, n, {{nullptr, c.layout}, directions}, out, c.data}, 2, 10, {0, 3});
+  detail::run<float>("evaluate_rgb", kEvery, {degree, n, {{nullptr, c.layout}, directions}, out, c.data}, 2, 10, {0, 3}, {1, true});
 }
 
 void project(int degree, std::size_t n, Records<const float> directions, Records<const float> weight, float* sum) {
@@ -203,22 +203,22 @@ void project(int degree, std::size_t n, Records<const double> directions, Record
 
 void rotate(int degree, std::size_t n, Records<const float> r, Records<const float> c, Records<float> out) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(rotate);
-  detail::run<float>("rotate", kEvery, {degree, n, {r, c}, out}, 2, 10, {1, 0});
+  detail::run<float>("rotate", kEvery, {degree, n, {r, c}, out}, 2, 10, {1, 0}, {2 | detail::kOutput, false});
 }
 
 void rotate(int degree, std::size_t n, Records<const double> r, Records<const double> c, Records<double> out) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(rotate);
-  detail::run<double>("rotate", kEvery, {degree, n, {r, c}, out}, 2, 10, {1, 0});
+  detail::run<double>("rotate", kEvery, {degree, n, {r, c}, out}, 2, 10, {1, 0}, {2 | detail::kOutput, false});
 }
 
 void product(int degree, std::size_t n, Records<const float> a, Records<const float> b, Records<float> out) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(product);
-  detail::run<float>("product", kEvery, {degree, n, {a, b}, out}, 2, 6, {1, 0});
+  detail::run<float>("product", kEvery, {degree, n, {a, b}, out}, 2, 6, {1, 0}, {1 | 2 | detail::kOutput, false});
 }
 
 void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(product);
-  detail::run<double>("product", kEvery, {degree, n, {a, b}, out}, 2, 6, {1, 0});
+  detail::run<double>("product", kEvery, {degree, n, {a, b}, out}, 2, 6, {1, 0}, {1 | 2 | detail::kOutput, false});
 }
 
 void transfer_apply(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<float> out) {
@@ -238,17 +238,17 @@ void transfer_apply(int degree, std::size_t n, Records<const Half> visibility, c
 
 void transfer_apply_rgb(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<float> out) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(transfer_apply_rgb);
-  detail::run<float>("transfer_apply_rgb", kEvery, {degree, n, {visibility, shared(samples)}, out}, 2, 6, {3, 0});
+  detail::run<float>("transfer_apply_rgb", kEvery, {degree, n, {visibility, shared(samples)}, out}, 2, 6, {3, 0}, {detail::kOutput, true});
 }
 
 void transfer_apply_rgb(int degree, std::size_t n, Records<const double> visibility, const double* samples, Records<double> out) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(transfer_apply_rgb);
-  detail::run<double>("transfer_apply_rgb", kEvery, {degree, n, {visibility, shared(samples)}, out}, 2, 6, {3, 0});
+  detail::run<double>("transfer_apply_rgb", kEvery, {degree, n, {visibility, shared(samples)}, out}, 2, 6, {3, 0}, {detail::kOutput, true});
 }
 
 void transfer_apply_rgb(int degree, std::size_t n, Records<const Half> visibility, const float* samples, Records<float> out) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(transfer_apply_rgb);
-  detail::run<float>("transfer_apply_rgb", kEvery, {degree, n, {{nullptr, visibility.layout}, shared(samples)}, out, visibility.data}, 2, 6, {3, 0});
+  detail::run<float>("transfer_apply_rgb", kEvery, {degree, n, {{nullptr, visibility.layout}, shared(samples)}, out, visibility.data}, 2, 6, {3, 0}, {detail::kOutput, true});
 }
 
 void transfer_glossy(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<const float> lobe, Records<const float> directions, Records<float> out) {
@@ -313,17 +313,17 @@ void relight_rgb(int degree, std::size_t n, Records<const Half> transfer, const 
 
 void relight_colored(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(relight_colored);
-  detail::run<float>("relight_colored", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
+  detail::run<float>("relight_colored", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3}, {1, true});
 }
 
 void relight_colored(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(relight_colored);
-  detail::run<double>("relight_colored", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
+  detail::run<double>("relight_colored", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3}, {1, true});
 }
 
 void relight_colored(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(relight_colored);
-  detail::run<float>("relight_colored", kEvery, {degree, n, {{nullptr, transfer.layout}, shared(light)}, out, transfer.data}, 2, 10, {0, 3});
+  detail::run<float>("relight_colored", kEvery, {degree, n, {{nullptr, transfer.layout}, shared(light)}, out, transfer.data}, 2, 10, {0, 3}, {1, true});
 }
 
 }  // namespace sh::batch

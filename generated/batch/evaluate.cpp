@@ -26,10 +26,11 @@ template <int Degree, class T>
   });
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* b, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
-    const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a) + i * ((Degree + 1) * (Degree + 1)), reinterpret_cast<const One<T>*>(b) + i * 3};
+    const RecordInputs<((Degree + 1) * (Degree + 1)), T, Rows> first(a + i * ((Degree + 1) * (Degree + 1)));
+    const One<T>* const in[] = {first.values(), reinterpret_cast<const One<T>*>(b) + i * 3};
     RecordValues<1, ((Degree + 1) * (Degree + 1)) + 3, T> record(to + i * 1);
     One<T>* const out = record.values();
     out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
@@ -37,16 +38,16 @@ template <int Degree, class T>
   }
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten]] void in_groups(const T* a, const T* b, std::size_t count, T* to) {
-  for_every_group<T, 1, ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+  for_every_group<T, Rows, 1, ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
   });
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten]] void in_part(const T* a, const T* b, std::size_t count, T* to) {
-  for_part_of_group<T, 1, ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+  for_part_of_group<T, Rows, 1, ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
   });
 }

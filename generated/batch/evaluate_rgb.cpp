@@ -17,10 +17,11 @@ template <int Degree, class T>
   });
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* b, std::size_t n, T* to) {
   for (std::size_t i = 0; i < n; ++i) {
-    const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a) + i * 3 * ((Degree + 1) * (Degree + 1)), reinterpret_cast<const One<T>*>(b) + i * 3};
+    const RecordInputs<3 * ((Degree + 1) * (Degree + 1)), T, Rows> first(a + i * 3 * ((Degree + 1) * (Degree + 1)));
+    const One<T>* const in[] = {first.values(), reinterpret_cast<const One<T>*>(b) + i * 3};
     RecordValues<3, 3 * ((Degree + 1) * (Degree + 1)) + 3, T> record(to + i * 3);
     One<T>* const out = record.values();
     sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
@@ -28,16 +29,16 @@ template <int Degree, class T>
   }
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten]] void in_groups(const T* a, const T* b, std::size_t count, T* to) {
-  for_every_group<T, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+  for_every_group<T, Rows, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
   });
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten]] void in_part(const T* a, const T* b, std::size_t count, T* to) {
-  for_part_of_group<T, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+  for_part_of_group<T, Rows, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
   });
 }
@@ -45,6 +46,12 @@ template <int Degree, class T>
 template <int Degree, class T>
 void records(const T* a, const T* b, std::size_t n, T* to) {
   run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, in_part<Degree, T>, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
+}
+
+template <int Degree, class T>
+void interleaved(const T* a, const T* b, std::size_t n, T* to) {
+  using Rows = ByChannelOf<(Degree + 1) * (Degree + 1)>;
+  run_records<T, one_by_one<Degree, T, Rows>, in_groups<Degree, T, Rows>, in_part<Degree, T, Rows>, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
 }
 
 template <int Degree, class T>
@@ -74,17 +81,17 @@ constexpr BlockKernel<T> half() {
 template <class T>
 void evaluate_rgb(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {3, 3}, 3, false, kernel<0, T>, half<0, 3, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<0, T>},
-      {2, {12, 3}, 3, false, kernel<1, T>, half<1, 12, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<1, T>},
-      {2, {27, 3}, 3, false, kernel<2, T>, half<2, 27, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<2, T>},
-      {2, {48, 3}, 3, false, kernel<3, T>, half<3, 48, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<3, T>},
-      {2, {75, 3}, 3, false, kernel<4, T>, half<4, 75, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<4, T>},
-      {2, {108, 3}, 3, false, kernel<5, T>, half<5, 108, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<5, T>},
-      {2, {147, 3}, 3, false, kernel<6, T>, half<6, 147, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<6, T>},
-      {2, {192, 3}, 3, false, kernel<7, T>, half<7, 192, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>},
-      {2, {243, 3}, 3, false, kernel<8, T>, half<8, 243, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>},
-      {2, {300, 3}, 3, false, kernel<9, T>, half<9, 300, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>},
-      {2, {363, 3}, 3, false, kernel<10, T>, half<10, 363, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>},
+      {2, {3, 3}, 3, false, kernel<0, T>, half<0, 3, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<0, T>, interleaved<0, T>},
+      {2, {12, 3}, 3, false, kernel<1, T>, half<1, 12, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<1, T>, interleaved<1, T>},
+      {2, {27, 3}, 3, false, kernel<2, T>, half<2, 27, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<2, T>, interleaved<2, T>},
+      {2, {48, 3}, 3, false, kernel<3, T>, half<3, 48, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<3, T>, interleaved<3, T>},
+      {2, {75, 3}, 3, false, kernel<4, T>, half<4, 75, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<4, T>, interleaved<4, T>},
+      {2, {108, 3}, 3, false, kernel<5, T>, half<5, 108, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<5, T>, interleaved<5, T>},
+      {2, {147, 3}, 3, false, kernel<6, T>, half<6, 147, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<6, T>, interleaved<6, T>},
+      {2, {192, 3}, 3, false, kernel<7, T>, half<7, 192, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>, interleaved<7, T>},
+      {2, {243, 3}, 3, false, kernel<8, T>, half<8, 243, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>, interleaved<8, T>},
+      {2, {300, 3}, 3, false, kernel<9, T>, half<9, 300, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>, interleaved<9, T>},
+      {2, {363, 3}, 3, false, kernel<10, T>, half<10, 363, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>, interleaved<10, T>},
   };
   drive(call, kPlans[call.degree]);
 }
@@ -93,31 +100,31 @@ template void evaluate_rgb(const detail::Call<double>&);
 
 extern const detail::DirectKernels<float> evaluate_rgb_float[];
 const detail::DirectKernels<float> evaluate_rgb_float[] = {
-    {records<0, float>, blocks<0, float>},
-    {records<1, float>, blocks<1, float>},
-    {records<2, float>, blocks<2, float>},
-    {records<3, float>, blocks<3, float>},
-    {records<4, float>, blocks<4, float>},
-    {records<5, float>, blocks<5, float>},
-    {records<6, float>, blocks<6, float>},
-    {records<7, float>, blocks<7, float>},
-    {records<8, float>, blocks<8, float>},
-    {records<9, float>, blocks<9, float>},
-    {records<10, float>, blocks<10, float>},
+    {records<0, float>, blocks<0, float>, interleaved<0, float>},
+    {records<1, float>, blocks<1, float>, interleaved<1, float>},
+    {records<2, float>, blocks<2, float>, interleaved<2, float>},
+    {records<3, float>, blocks<3, float>, interleaved<3, float>},
+    {records<4, float>, blocks<4, float>, interleaved<4, float>},
+    {records<5, float>, blocks<5, float>, interleaved<5, float>},
+    {records<6, float>, blocks<6, float>, interleaved<6, float>},
+    {records<7, float>, blocks<7, float>, interleaved<7, float>},
+    {records<8, float>, blocks<8, float>, interleaved<8, float>},
+    {records<9, float>, blocks<9, float>, interleaved<9, float>},
+    {records<10, float>, blocks<10, float>, interleaved<10, float>},
 };
 extern const detail::DirectKernels<double> evaluate_rgb_double[];
 const detail::DirectKernels<double> evaluate_rgb_double[] = {
-    {records<0, double>, blocks<0, double>},
-    {records<1, double>, blocks<1, double>},
-    {records<2, double>, blocks<2, double>},
-    {records<3, double>, blocks<3, double>},
-    {records<4, double>, blocks<4, double>},
-    {records<5, double>, blocks<5, double>},
-    {records<6, double>, blocks<6, double>},
-    {records<7, double>, blocks<7, double>},
-    {records<8, double>, blocks<8, double>},
-    {records<9, double>, blocks<9, double>},
-    {records<10, double>, blocks<10, double>},
+    {records<0, double>, blocks<0, double>, interleaved<0, double>},
+    {records<1, double>, blocks<1, double>, interleaved<1, double>},
+    {records<2, double>, blocks<2, double>, interleaved<2, double>},
+    {records<3, double>, blocks<3, double>, interleaved<3, double>},
+    {records<4, double>, blocks<4, double>, interleaved<4, double>},
+    {records<5, double>, blocks<5, double>, interleaved<5, double>},
+    {records<6, double>, blocks<6, double>, interleaved<6, double>},
+    {records<7, double>, blocks<7, double>, interleaved<7, double>},
+    {records<8, double>, blocks<8, double>, interleaved<8, double>},
+    {records<9, double>, blocks<9, double>, interleaved<9, double>},
+    {records<10, double>, blocks<10, double>, interleaved<10, double>},
 };
 
 }  // namespace sh::batch::SH_BATCH_ISA

@@ -100,6 +100,28 @@ constexpr std::size_t kVectorised = 5;
 template <std::size_t Out, std::size_t In>
 constexpr bool kIsVectorised = In + Out <= kVectorised;
 
+// The values of one record, channel by channel: in place or, of an interleaved record, beside it.
+template <std::size_t Size, class T, class Rows>
+class RecordInputs {
+ public:
+  explicit RecordInputs(const T* record) noexcept : record_(record) {
+    if constexpr (kIsCopied) {
+      unrolled(
+          std::make_index_sequence<Size>(), [&](std::size_t k) __attribute__((always_inline)) {
+            copy_[Rows()(k)] = One<T>::of(record[k]);
+          });
+    }
+  }
+  [[nodiscard]] const One<T>* values() const noexcept {
+    return kIsCopied ? static_cast<const One<T>*>(copy_) : reinterpret_cast<const One<T>*>(record_);
+  }
+
+ private:
+  static constexpr bool kIsCopied = !std::is_same_v<Rows, InOrder>;
+  const T* record_;
+  One<T> copy_[kIsCopied ? Size : 1];
+};
+
 // Where a kernel writes the values of one record: in place, or first beside it if the loop over records is to be vectorised.
 // Loops over copies of scalars are, those over copies of One are not. Larger records would be gathered: loops that keep their
 // order are not vectorised.
@@ -133,7 +155,7 @@ template <class T>
 }
 
 // The columns of a group of records of Size values. Count: All<T>, or std::size_t.
-template <std::size_t Size, class T, class Count>
+template <std::size_t Size, class Rows, class T, class Count>
 [[gnu::always_inline]] inline void load_group(const T* records, Count count, Group<T>* columns) {
   if constexpr (Size == 3) {
     const auto triple = load_triples(records, count);
@@ -145,7 +167,7 @@ template <std::size_t Size, class T, class Count>
     const auto load = [&](std::size_t first, std::size_t skipped) __attribute__((always_inline)) {
       const auto tile = load_columns(records + first, Size, count);
 #pragma GCC unroll 4
-      for (std::size_t k = skipped; k < 4; ++k) columns[first + k] = Group<T>::of(tile.v[k]);
+      for (std::size_t k = skipped; k < 4; ++k) columns[Rows()(first + k)] = Group<T>::of(tile.v[k]);
     };
     unrolled(
         std::make_index_sequence<Size / 4>(), [&](std::size_t i) __attribute__((always_inline)) { load(4 * i, 0); });
@@ -202,7 +224,7 @@ template <std::size_t Size, class T, class Count>
 // The hardware's prefetching misses records that are read side by side, where they are not in a cache.
 template <std::size_t Size, class T>
 [[gnu::always_inline]] inline void prefetch_records(const T* records) {
-  constexpr std::size_t kAhead = 2048;
+  constexpr std::size_t kAhead = 8192;
   constexpr std::size_t kBytes = kGroup<T> * Size * sizeof(T);
   if constexpr (Size > 3) {
 #pragma GCC unroll 1
@@ -232,11 +254,12 @@ template <class T, std::size_t Out, std::size_t In>
 constexpr std::size_t kMostSingle = most_single<T, Out, In>();
 
 // Calls kernel(in, out) for a group of records of InA and of InB values (0: there is one input), to records of Out values.
-template <class T, std::size_t Out, std::size_t InA, std::size_t InB, class Count, class Kernel>
+// Rows: the columns of the values of the first input.
+template <class T, class Rows, std::size_t Out, std::size_t InA, std::size_t InB, class Count, class Kernel>
 [[gnu::always_inline]] inline void run_group(const T* a, const T* b, Count count, T* to, const Kernel& kernel) {
   Group<T> values[InA + InB];
-  load_group<InA>(a, count, static_cast<Group<T>*>(values));
-  if constexpr (InB > 0) load_group<InB>(b, count, values + InA);
+  load_group<InA, Rows>(a, count, static_cast<Group<T>*>(values));
+  if constexpr (InB > 0) load_group<InB, InOrder>(b, count, values + InA);
   const Group<T>* const in[] = {values, values + InA};
   Group<T> out[Out];
   kernel(static_cast<const Group<T>* const*>(in), static_cast<Group<T>*>(out));
@@ -244,23 +267,27 @@ template <class T, std::size_t Out, std::size_t InA, std::size_t InB, class Coun
 }
 
 // The same for `count` whole groups.
-template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0, class Kernel>
+template <class T, class Rows, std::size_t Out, std::size_t InA, std::size_t InB = 0, class Kernel>
 [[gnu::always_inline]] inline void for_every_group(const T* a, const T* b, std::size_t count, T* to,
                                                    const Kernel& kernel) {
   if constexpr (kMostSingle<T, Out, InA + InB> < kGroup<T>) {
     for (std::size_t i = 0; i < count * kGroup<T>; i += kGroup<T>) {
       prefetch_records<InA>(a + i * InA);
       if constexpr (InB > 0) prefetch_records<InB>(b + i * InB);
-      run_group<T, Out, InA, InB>(a + i * InA, b + i * InB, All<T>(), to + i * Out, kernel);
+      run_group<T, Rows, Out, InA, InB>(a + i * InA, b + i * InB, All<T>(), to + i * Out, kernel);
     }
   }
 }
 
 // Calls kernel(in, out) for a part of a group: `count` records, more than kMostSingle.
-template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0, class Kernel>
+template <class T, class Rows, std::size_t Out, std::size_t InA, std::size_t InB = 0, class Kernel>
 [[gnu::always_inline]] inline void for_part_of_group(const T* a, const T* b, std::size_t count, T* to,
                                                      const Kernel& kernel) {
-  if constexpr (kMostSingle<T, Out, InA + InB> < kGroup<T> - 1) run_group<T, Out, InA, InB>(a, b, count, to, kernel);
+  constexpr std::size_t kFewer = kMostSingle<T, Out, InA + InB>;
+  if constexpr (kFewer < kGroup<T> - 1) {
+    if (count <= kFewer || count >= kGroup<T>) __builtin_unreachable();
+    run_group<T, Rows, Out, InA, InB>(a, b, count, to, kernel);
+  }
 }
 
 // n records by groups. Those that are left over are part of a group that ends with the last record, which computes some

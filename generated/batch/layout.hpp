@@ -20,8 +20,8 @@ constexpr bool ends_alone(std::size_t k, std::size_t size) {
 }
 
 // `count` <= kBlock plain records of `size` values -> one block; lanes from `count` on become 0.
-template <class T>
-void to_block(const T* records, std::size_t count, std::size_t size, T* block) {
+template <class T, class Rows = InOrder>
+void to_block(const T* records, std::size_t count, std::size_t size, T* block, const Rows& rows = {}) {
   if (count < kBlock<T>) std::memset(block, 0, size * kBlock<T> * sizeof(T));
   std::size_t i = 0;
   if (size == 3 && kHasTriples<T>) {
@@ -32,50 +32,57 @@ void to_block(const T* records, std::size_t count, std::size_t size, T* block) {
     for (; i + kTaken<T> <= count; i += kTaken<T>) {
       for (std::size_t k = 0; k < size; k += kSide<T>) {
         if (ends_alone<T>(k, size)) {
-          for (std::size_t j = i; j < i + kTaken<T>; ++j) block[k * kBlock<T> + j] = records[j * size + k];
+          for (std::size_t j = i; j < i + kTaken<T>; ++j) block[rows(k) * kBlock<T> + j] = records[j * size + k];
           break;
         }
         if (size < k + kSide<T>) k = size - kSide<T>;  // the last ones overlap those before
-        spread_records(records + i * size + k, size, block + k * kBlock<T> + i);
+        const auto tile = load_columns(records + i * size + k, size);
+#pragma GCC unroll 4
+        for (std::size_t j = 0; j < kSide<T>; ++j) store(block + rows(k + j) * kBlock<T> + i, tile.v[j]);
       }
     }
   }
   for (std::size_t k = 0; k < size; ++k) {
-    for (std::size_t j = i; j < count; ++j) block[k * kBlock<T> + j] = records[j * size + k];
+    for (std::size_t j = i; j < count; ++j) block[rows(k) * kBlock<T> + j] = records[j * size + k];
   }
 }
 
 // kTaken lanes of a block -> plain records of `size` >= kSide values.
-template <class T>
-void join_whole_records(const T* block, std::size_t size, T* records) {
+template <class T, class Rows>
+void join_whole_records(const T* block, std::size_t size, T* records, const Rows& rows) {
   constexpr std::size_t kSlab = kTilesOfSlab<T> * kRow<T>;
+  const auto columns = [&](std::size_t first) {
+    return [ block, first, &rows ](std::size_t k) __attribute__((always_inline)) {
+      return load_column(block + rows(first + k) * kBlock<T>);
+    };
+  };
   const T* alone = size > kRow<T> && size % kRow<T> == 1 ? block : nullptr;
   std::size_t k = alone != nullptr ? 1 : 0;
   for (; k + kSlab <= size; k += kSlab) {
-    join_slab<kTilesOfSlab<T>>(columns_of(block + k * kBlock<T>), alone, records + k, size);
+    join_slab<kTilesOfSlab<T>>(columns(k), alone, records + k, size);
     alone = nullptr;
   }
   for (; k + kRow<T> <= size; k += kRow<T>) {
-    join_slab<1>(columns_of(block + k * kBlock<T>), alone, records + k, size);
+    join_slab<1>(columns(k), alone, records + k, size);
     alone = nullptr;
   }
   for (; k < size; k += kSide<T>) {
     if (size < k + kSide<T>) k = size - kSide<T>;  // the last ones overlap those before
-    join_records(block + k * kBlock<T>, records + k, size);
+    join_tile(columns(k), records + k, size);
   }
 }
 
 // One block -> `count` <= kBlock plain records of `size` values.
-template <class T>
-void to_records(const T* block, std::size_t count, std::size_t size, T* records) {
+template <class T, class Rows = InOrder>
+void to_records(const T* block, std::size_t count, std::size_t size, T* records, const Rows& rows = {}) {
   std::size_t i = 0;
   if (size == 3 && sizeof(T) == sizeof(float)) {
     for (; i + kWide <= count; i += kWide) join_triples(block + i, records + i * size);
   } else if (size >= kSide<T>) {
-    for (; i + kTaken<T> <= count; i += kTaken<T>) join_whole_records(block + i, size, records + i * size);
+    for (; i + kTaken<T> <= count; i += kTaken<T>) join_whole_records(block + i, size, records + i * size, rows);
   }
   for (; i < count; ++i) {
-    for (std::size_t k = 0; k < size; ++k) records[i * size + k] = block[k * kBlock<T> + i];
+    for (std::size_t k = 0; k < size; ++k) records[i * size + k] = block[rows(k) * kBlock<T> + i];
   }
 }
 

@@ -10,6 +10,6 @@ namespace sh::batch::detail {
 
 constexpr int kMostSums = 121;             // values of the largest sum
 constexpr std::size_t kChunkLines = 192;  // copied at a time: 12 KB stay in the first cache
-constexpr std::size_t kRoomLines = 1292;  // for copies of a chunk of records
+constexpr std::size_t kRoomLines = 1508;  // for copies of a chunk of records
 
 }  // namespace sh::batch::detail

@@ -38,6 +38,20 @@ using Wide = Four;
 inline Wide load_wide(const float* from) { return load(from); }
 #endif
 
+// The column, or the row of a block, of value k of a record.
+struct InOrder {
+  constexpr std::size_t operator()(std::size_t k) const { return k; }
+};
+// The same of interleaved records: value k is coefficient k / 3 of channel k % 3, which has so many values.
+struct ByChannel {
+  std::size_t values;
+  constexpr std::size_t operator()(std::size_t k) const { return k % 3 * values + k / 3; }
+};
+template <std::size_t Values>
+struct ByChannelOf {
+  constexpr std::size_t operator()(std::size_t k) const { return ByChannel{Values}(k); }
+};
+
 // Record i of `count`; the first one stands for those that are missing.
 template <class T>
 [[gnu::always_inline]] inline const T* record_of(const T* records, std::size_t size, std::size_t count, std::size_t i) {
@@ -98,15 +112,6 @@ struct Tiles {
   return transposed(rows(0), rows(1), rows(2), rows(3));
 }
 
-// kSide values of kTaken records, `size` values apart -> a part of a block.
-inline void spread_records(const float* records, std::size_t size, float* block) {
-  const Tiles columns = load_columns(records, size);
-  store(block, columns.v[0]);
-  store(block + kBlock<float>, columns.v[1]);
-  store(block + 2 * kBlock<float>, columns.v[2]);
-  store(block + 3 * kBlock<float>, columns.v[3]);
-}
-
 // The same back, from four columns, to the first `count` records.
 [[gnu::always_inline]] inline void join_columns(const Wide& c0, const Wide& c1, const Wide& c2, const Wide& c3,
                                                 float* records, std::size_t size, std::size_t count = kWide) {
@@ -122,12 +127,6 @@ inline void spread_records(const float* records, std::size_t size, float* block)
   }
 #endif
 }
-inline void join_records(const float* block, float* records, std::size_t size) {
-  constexpr std::size_t kStep = kBlock<float>;
-  join_columns(load_wide(block), load_wide(block + kStep), load_wide(block + 2 * kStep), load_wide(block + 3 * kStep),
-               records, size);
-}
-
 // Values of a record that a store takes.
 template <class T>
 constexpr std::size_t kRow = sizeof(T) == sizeof(float) ? kWide : kSide<T>;
@@ -197,11 +196,6 @@ template <std::size_t Count, class Columns>
 #endif
 }
 
-// The columns of a block from one on.
-inline auto columns_of(const float* block) {
-  return [block](std::size_t k) __attribute__((always_inline)) { return load_wide(block + k * kBlock<float>); };
-}
-
 // A tile of double: kSide rows, `step` values apart, as columns.
 #if defined(__AVX2__)
 using Doubles = double __attribute__((vector_size(32)));
@@ -268,18 +262,19 @@ template <std::size_t Count, class Columns>
     records += size;
   }
 }
-inline auto columns_of(const double* block) {
-  return [block](std::size_t k) __attribute__((always_inline)) { return load_doubles(block + k * kBlock<double>); };
+
+// A tile of columns -> kSide values of kTaken records.
+template <class Columns>
+[[gnu::always_inline]] inline void join_tile(const Columns& columns, float* records, std::size_t size) {
+  join_columns(columns(0), columns(1), columns(2), columns(3), records, size);
+}
+template <class Columns>
+[[gnu::always_inline]] inline void join_tile(const Columns& columns, double* records, std::size_t size) {
+  join_slab<1>(columns, nullptr, records, size);
 }
 
-inline void spread_records(const double* records, std::size_t size, double* block) {
-  const DoubleTile columns = load_columns(records, size);
-#pragma GCC unroll 4
-  for (std::size_t k = 0; k < kSide<double>; ++k) store(block + k * kBlock<double>, columns.v[k]);
-}
-inline void join_records(const double* block, double* records, std::size_t size) {
-  join_slab<1>(columns_of(block), nullptr, records, size);
-}
+inline Wide load_column(const float* from) { return load_wide(from); }
+inline Doubles load_column(const double* from) { return load_doubles(from); }
 
 // Whether load_triples takes records of three values, kTaken of them; elsewhere rows of a transpose serve.
 struct Triple {

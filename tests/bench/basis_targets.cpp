@@ -12,8 +12,7 @@
 namespace sh::bench {
 namespace {
 
-constexpr std::size_t kSingles = 512;   // directions, taken one by one
-constexpr std::size_t kMany = 100'000;  // directions of a large batch
+constexpr std::size_t kSingles = 512;  // directions, taken one by one
 constexpr double kNano = 1e9;
 
 template <class F>
@@ -112,18 +111,30 @@ void gradients(Table& table) {
   }
 }
 
-void many(Table& table) {
-  table.section("Basis, 100,000 directions, blocked, ns a direction", "limit: copying as many bytes to the same place");
-  const Buffer<float> in = to_blocks(random_directions(kMany), 3);
-  for (int degree = 2; degree <= 9; ++degree) {
-    const std::size_t count = kMany * coefficient_count(degree);
+// More directions than the caches hold the outputs of.
+void many(Table& table, std::size_t n, const std::string& where, const std::vector<int>& degrees,
+          const std::vector<int>& degrees_of_gradients) {
+  const Buffer<float> in = to_blocks(random_directions(n), 3);
+  const double ns = kNano / static_cast<double>(n);
+  const auto compare = [&](const char* name, const auto& driver, int degree, std::size_t sets) {
+    const std::size_t count = batch::blocked_size<float>(n, sets * coefficient_count(degree));
     const Buffer<float> from = make_buffer<float>(count);
     const Buffer<float> out = make_buffer<float>(count);
-    const std::vector<double> t =
-        least_times({[&] { batch::basis(degree, kMany, batch::blocked(in.get()), batch::blocked(out.get())); },
-                     [&] { std::copy_n(from.get(), count, out.get()), keep(*out.get()); }});
-    table.ratio("batch basis, 100k, degree " + std::to_string(degree), "ns", t[0] * kNano / kMany, t[1] * kNano / kMany,
-                "copying", 1.1);
+    const std::vector<double> t = least_times(
+        {[&] { driver(degree, out.get()); }, [&] { std::copy_n(from.get(), count, out.get()), keep(*out.get()); }});
+    table.ratio(std::string("batch ") + name + ", " + where + ", degree " + std::to_string(degree), "ns", t[0] * ns,
+                t[1] * ns, "copying", 1.1);
+  };
+  for (const int degree : degrees) {
+    compare(
+        "basis", [&](int l, float* out) { batch::basis(l, n, batch::blocked(in.get()), batch::blocked(out)); }, degree,
+        1);
+  }
+  for (const int degree : degrees_of_gradients) {
+    compare(
+        "basis_gradient",
+        [&](int l, float* out) { batch::basis_gradient(l, n, batch::blocked(in.get()), batch::blocked(out)); }, degree,
+        4);
   }
 }
 
@@ -133,7 +144,9 @@ void basis(Table& table) {
   single(table);
   batched(table);
   gradients(table);
-  many(table);
+  table.section("Basis of many directions, blocked, ns a direction", "limit: copying as many bytes to the same place");
+  many(table, 100'000, "100k", {2, 3, 4, 5, 6, 7, 8, 9}, {2, 4, 6});
+  many(table, 1'000'000, "1M", {3, 6, 9}, {2, 4});
 }
 
 }  // namespace sh::bench

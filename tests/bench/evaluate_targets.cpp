@@ -150,14 +150,19 @@ void splats(Table& table, std::size_t n, const std::string& where) {
          batch::evaluate_rgb(kSplatDegree, n, batch::blocked<const batch::Half>(halves.get()),
                              batch::blocked(directions.get()), batch::blocked(rgb.get()));
        },
-       read_task(half_values, n * kSplatValues / 2), splats_of_blocks(blocks.get(), directions.get(), n, rgb.get())});
+       read_task(half_values, n * kSplatValues / 2), splats_of_blocks(blocks.get(), directions.get(), n, rgb.get()),
+       [&] {
+         batch::evaluate_rgb(kSplatDegree, n, batch::interleaved<const float>(c.data()),
+                             batch::plain<const float>(plain.data()), batch::plain(rgb.get()));
+       }});
   const double ns = kNano / static_cast<double>(n);
   if (where == "in L1") {
     table.ratio("splats, " + where, "ns", t[0] * ns, t[5] * ns, "usual code on blocks", 1);
     table.ratio("splats in half precision, " + where, "ns", t[3] * ns, t[5] * ns, "usual code on blocks", 1.2);
-    table.remark("  the usual code, splat by splat: " + std::to_string(t[1] * ns) + " ns");
+    table.ratio("splats, interleaved, " + where, "ns", t[6] * ns, t[1] * ns, "usual code, splat by splat", 0.5);
   } else {
-    table.ratio("splats, " + where, "ns", t[0] * ns, t[2] * ns, "read", 1.2);
+    table.ratio("splats, " + where, "ns", t[0] * ns, t[2] * ns, "read", 1.1);
+    table.ratio("splats, interleaved, " + where, "ns", t[6] * ns, t[2] * ns, "read", 1.1);
     table.ratio("splats in half precision, " + where, "ns", t[3] * ns, t[4] * ns, "read", 1.2);
   }
 }
@@ -166,10 +171,12 @@ void splats(Table& table, std::size_t n, const std::string& where) {
 
 void evaluate(Table& table) {
   one_function(table);
-  table.section("Gaussian splats, degree 3, own color coefficients, float, blocked, ns a splat",
-                "controls: the usual code over the same blocks, vectorised, and reading the coefficients");
+  table.section(
+      "Gaussian splats, degree 3, own color coefficients, float, blocked or interleaved, ns a splat",
+      "controls: the usual code over the same blocks, vectorised, or over the same records, and reading them");
   splats(table, 128, "in L1");
   splats(table, 100'000, "100k");
+  splats(table, 1'000'000, "1M");
 }
 
 }  // namespace sh::bench

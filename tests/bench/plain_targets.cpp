@@ -6,6 +6,8 @@
 #include "generated/cpp/basis.hpp"
 #include "generated/cpp/basis_gradient.hpp"
 #include "generated/cpp/evaluate.hpp"
+#include "generated/cpp/evaluate_rgb.hpp"
+#include "generated/cpp/rotate.hpp"
 #include "tests/bench/harness.hpp"
 
 namespace sh::bench {
@@ -80,6 +82,46 @@ void families(Table& table, std::size_t n) {
       each([out, c](std::size_t i, const T* d) { out[i] = sh::evaluate<Degree>(c + i * kSize, d[0], d[1], d[2]); }));
 }
 
+// Colors, coefficient by coefficient; the loops take them apart for the header's kernels.
+template <int Degree>
+void colors(Table& table, std::size_t n) {
+  constexpr std::size_t kSize = (Degree + 1) * (Degree + 1);
+  const Records<float> records(n, 3 * kSize);
+  const float* const directions = records.directions.data();
+  const float* const c = records.coefficients.data();
+  float* const out = records.out.get();
+  compare<float>(
+      table, "evaluate_rgb", Degree, records,
+      [=] { batch::evaluate_rgb(Degree, n, batch::interleaved(c), batch::plain(directions), batch::plain(out)); },
+      [=] {
+        for (std::size_t i = 0; i < n; ++i) {
+          float channels[3 * kSize];
+#pragma GCC unroll 128
+          for (std::size_t k = 0; k < 3 * kSize; ++k) channels[k % 3 * kSize + k / 3] = c[3 * kSize * i + k];
+          const float* const d = directions + 3 * i;
+          sh::evaluate_rgb<Degree>(static_cast<const float*>(channels), d[0], d[1], d[2], out + 3 * i);
+        }
+        keep(*out);
+      });
+  if (n < 1024) return;
+  const std::vector<float> r = random_rotations(1);
+  compare<float>(
+      table, "rotate", Degree, records,
+      [&] { batch::rotate(Degree, n, batch::shared(r.data()), batch::interleaved(c), batch::interleaved(out)); },
+      [&] {
+        for (std::size_t i = 0; i < n; ++i) {
+          for (std::size_t channel = 0; channel < 3; ++channel) {
+            float in[kSize];
+            float rotated[kSize];
+            for (std::size_t k = 0; k < kSize; ++k) in[k] = c[3 * (kSize * i + k) + channel];
+            sh::rotate<Degree>(r.data(), static_cast<const float*>(in), static_cast<float*>(rotated));
+            for (std::size_t k = 0; k < kSize; ++k) out[3 * (kSize * i + k) + channel] = rotated[k];
+          }
+        }
+        keep(*out);
+      });
+}
+
 }  // namespace
 
 void plain(Table& table) {
@@ -92,6 +134,12 @@ void plain(Table& table) {
       families<kDegree, float>(table, n);
       families<kDegree, double>(table, n);
     });
+  }
+  for (const std::size_t n : {std::size_t{1}, std::size_t{3}, std::size_t{7}, std::size_t{17}, std::size_t{1024}}) {
+    table.section(
+        "Interleaved colors, " + std::to_string(n) + " in a call, float, ns " + (n <= 2 ? "a call" : "a record"),
+        "control: a loop over the header's kernel");
+    for_degrees<1, 4>([&]<int kDegree>() { colors<kDegree>(table, n); });
   }
 }
 

@@ -1,12 +1,16 @@
 // Arrays of records with guard zones, and the drivers of sh::batch with their kernels.
 #pragma once
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <array>
 #include <cstring>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +51,33 @@ void with_degree(int degree, const F& f) {
 struct Place {
   Layout layout = Layout::kPlain;
   std::size_t offset = 0;
+};
+
+/// Values that end where memory ends: to read or write past them is a fault.
+template <class T>
+class FencedArray {
+ public:
+  explicit FencedArray(std::size_t size) : size_(size) {
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    const std::size_t bytes = (size * sizeof(T) + page - 1) / page * page;
+    mapped_ = bytes + page;
+    memory_ = mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    char* const fence = static_cast<char*>(memory_) + bytes;
+    if (memory_ == MAP_FAILED || mprotect(fence, page, PROT_NONE) != 0) throw std::runtime_error("no memory");
+    values_ = reinterpret_cast<T*>(fence) - size;
+  }
+  FencedArray(const FencedArray&) = delete;
+  FencedArray& operator=(const FencedArray&) = delete;
+  ~FencedArray() { munmap(memory_, mapped_); }
+
+  [[nodiscard]] T* data() const { return values_; }
+  [[nodiscard]] T* begin() const { return values_; }
+  [[nodiscard]] T* end() const { return values_ + size_; }
+
+ private:
+  std::size_t size_, mapped_;
+  void* memory_;
+  T* values_;
 };
 
 /// n records of `size` values between guard zones. All other values are not a number, so a driver that reads one of

@@ -2,8 +2,6 @@
 #include "generated/batch/batch.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -124,33 +122,6 @@ TYPED_TEST(BatchDrivers, GiveARecordTheSameBitsWhereverItStands) {
     });
   }
 }
-
-// Values that end where memory ends: to read or write past them is a fault.
-template <class T>
-class FencedArray {
- public:
-  explicit FencedArray(std::size_t size) : size_(size) {
-    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    const std::size_t bytes = (size * sizeof(T) + page - 1) / page * page;
-    mapped_ = bytes + page;
-    memory_ = mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    char* const fence = static_cast<char*>(memory_) + bytes;
-    if (memory_ == MAP_FAILED || mprotect(fence, page, PROT_NONE) != 0) throw std::runtime_error("no memory");
-    values_ = reinterpret_cast<T*>(fence) - size;
-  }
-  FencedArray(const FencedArray&) = delete;
-  FencedArray& operator=(const FencedArray&) = delete;
-  ~FencedArray() { munmap(memory_, mapped_); }
-
-  [[nodiscard]] T* data() const { return values_; }
-  [[nodiscard]] T* begin() const { return values_; }
-  [[nodiscard]] T* end() const { return values_ + size_; }
-
- private:
-  std::size_t size_, mapped_;
-  void* memory_;
-  T* values_;
-};
 
 // Runs run(n, first record, out) for all records at once, then for a few at a time, the last ones first, and expects the
 // same values: what a call writes past its records would replace those of the call before.
