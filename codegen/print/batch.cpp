@@ -203,30 +203,35 @@ std::string arguments_of(const RecordSignature& s, bool half) {
          (half ? ", " + s.inputs[0].name + ".data" : "");
 }
 
-// The arrays of a driver whose records hold the coefficients of so many channels, as bits of Colors in choice.hpp.
-std::string arrays_of_channels(const Driver& driver, int channels) {
+// The arrays of a driver whose records are the coefficients of so many channels: inputs, and whether the output is one.
+struct Coefficients {
+  std::vector<std::size_t> inputs;
+  bool out = false;
+};
+Coefficients coefficients_of(const Driver& driver, int channels) {
   const RecordSignature s = signature_of(driver.last());
-  const int bands = driver.last().degree + 1;
-  const int size = channels * bands * bands;
-  std::string bits;
-  const auto add = [&](const std::string& bit) { bits += (bits.empty() ? "" : " | ") + bit; };
+  Coefficients found;
   for (std::size_t j = 0; j < s.inputs.size(); ++j) {
-    if (s.inputs[j].size == size && !s.inputs[j].shared) add(std::to_string(1U << j));
+    if (!s.inputs[j].shared && are_coefficients(s.inputs[j].size, driver.last(), channels)) found.inputs.push_back(j);
   }
-  if (s.out_size == size && !s.sums) add("detail::kOutput");
-  return bits;
+  found.out = !s.sums && are_coefficients(s.out_size, driver.last(), channels);
+  return found;
 }
 
 // Whether a driver maps coefficients to coefficients: those of three channels, one after the other.
 bool maps_coefficients(const Driver& driver) {
-  return arrays_of_channels(driver, 1).find("| detail") != std::string::npos;
+  const Coefficients found = coefficients_of(driver, 1);
+  return found.out && !found.inputs.empty();
 }
 
 // The arrays that may be interleaved: Colors of choice.hpp.
 std::string colors_of(const Driver& driver) {
-  if (maps_coefficients(driver)) return ", {" + arrays_of_channels(driver, 1) + ", false}";
-  const std::string arrays = arrays_of_channels(driver, 3);
-  return arrays.empty() ? "" : ", {" + arrays + ", true}";
+  const bool maps = maps_coefficients(driver);
+  const Coefficients found = coefficients_of(driver, maps ? 1 : 3);
+  std::string bits;
+  for (const std::size_t j : found.inputs) bits += (bits.empty() ? "" : " | ") + std::to_string(1U << j);
+  if (found.out) bits += bits.empty() ? "detail::kOutput" : " | detail::kOutput";
+  return bits.empty() ? "" : ", {" + bits + (maps ? ", false}" : ", true}");
 }
 
 std::string definition(const Driver& driver, const Overload& types) {

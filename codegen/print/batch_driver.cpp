@@ -43,6 +43,11 @@ RecordSignature signature_of(const Kernel& kernel) {
   return s;
 }
 
+bool are_coefficients(int size, const Kernel& kernel, int channels) {
+  const int bands = kernel.degree + 1;
+  return size == channels * bands * bands;
+}
+
 std::string call_of(const Kernel& kernel) {
   const RecordSignature s = signature_of(kernel);
   std::string call = "sh::" + kernel.family + "<Degree>(";

@@ -37,6 +37,9 @@ struct RecordSignature {
 /// The records of a kernel.
 RecordSignature signature_of(const Kernel& kernel);
 
+/// Whether records of `size` values at the kernel's degree are the coefficients of so many channels.
+bool are_coefficients(int size, const Kernel& kernel, int channels);
+
 /// "sh::rotate<Degree>(in[0], in[1], out);". Several results have bands^2 values each and follow each other.
 std::string call_of(const Kernel& kernel);
 

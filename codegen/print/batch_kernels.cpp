@@ -87,10 +87,7 @@ $body}
 }
 
 // Whether input 0 holds the coefficients of three channels.
-bool has_colors(const Kernel& kernel) {
-  const int bands = kernel.degree + 1;
-  return signature_of(kernel).inputs[0].size == 3 * bands * bands;
-}
+bool has_colors(const Kernel& kernel) { return are_coefficients(signature_of(kernel).inputs[0].size, kernel, 3); }
 
 constexpr std::string_view kInterleavedRecords = R"(
 template <int Degree, class T>

@@ -10,7 +10,7 @@
 //            value after the other; kBlock values are 64 bytes on every machine. The array holds whole blocks
 //            (blocked_size); lanes past n are neither read nor written. The fastest, when aligned to 64 bytes.
 //   shared   one record that serves all n (inputs only), e.g. one matrix for many vectors
-//   interleaved  three channels, coefficient by coefficient (r g b r g b ...), as most splats and probes have them: value k
+//   interleaved  three channels, coefficient by coefficient (r g b r g b ...), as probes of engines have them: value k
 //            of channel c of record i at [(i * bands^2 + k) * 3 + c]. For coefficients of three channels, and for those of
 //            rotate and product: these compute each channel, and an array of another layout serves all three.
 //

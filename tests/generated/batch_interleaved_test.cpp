@@ -14,6 +14,11 @@ namespace {
 constexpr std::size_t kChannels = 3;
 constexpr std::array<std::size_t, 9> kLengths{0, 1, 2, 3, 15, 16, 17, 47, 700};  // 700: several chunks of copies
 
+// Where value i of records of three channels, channel by channel, stands coefficient by coefficient.
+std::size_t place_of(std::size_t i, std::size_t values) {
+  return (i / values / kChannels * values + i % values) * kChannels + i / values % kChannels;
+}
+
 // n records of three channels of `values` each, channel by channel and coefficient by coefficient.
 template <class T>
 struct Colors {
@@ -27,10 +32,7 @@ struct Colors {
     interleave(plain.data(), interleaved.data());
   }
   void interleave(const T* from, T* to) const {
-    for (std::size_t i = 0; i < n * kChannels * values; ++i) {
-      const std::size_t channel = i / values % kChannels;
-      to[(i / values / kChannels * values + i % values) * kChannels + channel] = from[i];
-    }
+    for (std::size_t i = 0; i < n * kChannels * values; ++i) to[place_of(i, values)] = from[i];
   }
   [[nodiscard]] std::vector<T> channel(std::size_t c) const {
     std::vector<T> result(n * values);
@@ -218,8 +220,7 @@ TEST(BatchInterleavedHalves, EvaluateTheSameBits) {
     std::vector<batch::Half> plain(like.n * kChannels * values + 1), colors(plain.size());
     for (std::size_t i = 0; i + 1 < plain.size(); ++i) {
       plain[i] = batch::Half(0x3000 + random() % 0x0c00);
-      const std::size_t channel = i / values % kChannels;
-      colors[(i / values / kChannels * values + i % values) * kChannels + channel] = plain[i];
+      colors[place_of(i, values)] = plain[i];
     }
     const auto directions = random_values<float>(3 * n + 1, random);
     std::vector<float> expected(3 * n + 1), out(3 * n + 1);
