@@ -80,8 +80,9 @@ std::string once_file(const std::vector<Driver>& drivers);
 /// Degrees whose products have tables of orbits.
 inline constexpr int kFirstOrbitDegree = 3;
 inline constexpr int kLastOrbitDegree = 6;
-/// The last degree that is rotated in lanes.
+/// The last degrees that are rotated in 16 lanes and in pairs of 8 lanes.
 inline constexpr int kLastTurnDegree = 6;
+inline constexpr int kLastPairDegree = 7;
 
 /// The first degree of transfer that is applied in stages on rings.
 inline constexpr int kFirstRingDegree = 2;

@@ -198,9 +198,10 @@ std::string member(const std::string& type, const std::string& name, const Lanes
   return "  alignas(64) static constexpr " + type + " " + name + "[] = " + lane_row(lanes) + ";\n";
 }
 
-template <class Lanes>
-std::string member(const std::string& type, const std::string& name, const std::vector<Lanes>& rows) {
-  return "  alignas(64) static constexpr " + type + " " + name + "[][16] = {\n" + lane_rows(rows) + "  };\n";
+template <class T, std::size_t Lanes>
+std::string member(const std::string& type, const std::string& name, const std::vector<std::array<T, Lanes>>& rows) {
+  return "  alignas(64) static constexpr " + type + " " + name + "[][" + std::to_string(Lanes) + "] = {\n" +
+         lane_rows(rows) + "  };\n";
 }
 
 std::string triples_file() {
@@ -230,8 +231,15 @@ $members};
                 {{"stamp", kStamp}, {"even", even}, {"members", members}});
 }
 
+// The rounds of a matrix: how many, the lane of every row's column, its entry.
+template <std::size_t Lanes>
+std::string rounds_of(const std::string& name, const std::vector<recipes::TurnRound<Lanes>>& rounds) {
+  using Round = recipes::TurnRound<Lanes>;
+  return member(name + "Rounds", rounds.size()) + member("int", name + "Column", of_each(rounds, &Round::column)) +
+         member("float", name, of_each(rounds, &Round::entry));
+}
+
 std::string turns_struct(int first, int last) {
-  using recipes::TurnRound;
   const recipes::LaneTurns turns = recipes::lane_turns(first, last);
   std::vector<std::array<int, recipes::kLanes>> multiples(3, turns.order);
   for (int angle = 0; angle < 3; ++angle) {
@@ -240,12 +248,13 @@ std::string turns_struct(int first, int last) {
   return "struct " + recipes::numbered("Turns", first) + " {\n" + member("kFirst", first) + member("kLast", last) +
          member("kLanes", turns.lanes()) + member("int", "kMultiple", multiples) +
          member("int", "kPartner", turns.partner) + member("float", "kSign", turns.sign) +
-         member("kRounds", turns.quarter.size()) +
-         member("int", "kQuarterColumn", of_each(turns.quarter, &TurnRound::column)) +
-         member("float", "kQuarter", of_each(turns.quarter, &TurnRound::entry)) +
-         member("kBackRounds", turns.back.size()) +
-         member("int", "kBackColumn", of_each(turns.back, &TurnRound::column)) +
-         member("float", "kBack", of_each(turns.back, &TurnRound::entry)) + "};\n";
+         rounds_of("kSwap", turns.swap) + "};\n";
+}
+
+std::string pairs_struct(const std::vector<int>& bands) {
+  const recipes::LanePairs pairs = recipes::lane_pairs(bands);
+  return "template <>\nstruct Pairs<" + std::to_string(bands[0]) + "> {\n" + member("int", "kBands", bands) +
+         rounds_of("kCosine", pairs.cosines) + rounds_of("kSine", pairs.sines) + "};\n";
 }
 
 std::string turns_file() {
@@ -255,11 +264,12 @@ std::string turns_file() {
   }
   std::string turns = turns_struct(0, 3);
   for (int l = 4; l <= kLastTurnDegree; ++l) turns += "\n" + turns_struct(l, l);
+  std::string pairs = pairs_struct({3, 2});
+  for (int l = 4; l <= kLastPairDegree; ++l) pairs += "\n" + pairs_struct({l});
   return filled(R"(// Turns of bands in lanes: for rotate_one.cpp.
 //
 $stamp//
-// Lane i holds coefficient kFirst^2 + i. Multiple: 4 |m| + angle; Partner: the lane of -m; Sign: of the sine.
-// The quarter turn D(Rx(90)) and its transpose: round t adds entry [t][i] times lane column [t][i] to lane i.
+// S swaps y and z. Round t of a matrix adds entry [t][i] times lane column [t][i] to lane i.
 #pragma once
 
 namespace sh::batch::detail {
@@ -268,10 +278,25 @@ namespace sh::batch::detail {
 alignas(64) inline constexpr int kColumnOfBands[][16] = {
 $columns};
 
+constexpr int kLastTurnDegree = $last;
+
+// Turns*: bands in 16 lanes; lane i holds coefficient kFirst^2 + i.
+// Multiple: 4 |m| + angle; Partner: the lane of -m; Sign: of the sine; Swap: D(S).
 $turns
+// Pairs: bands in lanes of two registers; lane m of the one holds order m, of the other order -m.
+// Cosine, Sine: the rows m >= 0 and m < 0 of D(S). Columns: l + |m| even for cosines, odd for sines; order -m stands in
+// lane m - 1.
+template <int Band>
+struct Pairs;
+
+$pairs
 }  // namespace sh::batch::detail
 )",
-                {{"stamp", kStamp}, {"columns", lane_rows(columns)}, {"turns", turns}});
+                {{"stamp", kStamp},
+                 {"columns", lane_rows(columns)},
+                 {"last", std::to_string(kLastTurnDegree)},
+                 {"turns", turns},
+                 {"pairs", pairs}});
 }
 
 }  // namespace

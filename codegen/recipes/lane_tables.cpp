@@ -1,9 +1,9 @@
 #include "codegen/recipes/lane_tables.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
-#include "symbolic/number/matrix.hpp"
 #include "symbolic/product/gaunt.hpp"
 #include "symbolic/rotation/rotation.hpp"
 
@@ -73,21 +73,48 @@ LaneTriples lane_triples() {
   return result;
 }
 
+symbolic::Matrix<Surd> swap_matrix(int l) {
+  // A quarter turn about x takes y to z and z to -y; then y changes its sign.
+  symbolic::Matrix<Surd> matrix = symbolic::surd_entries(l, symbolic::rotation_x90(l));
+  for (int i = 0; i < l; ++i) {
+    for (int j = 0; j < matrix.columns(); ++j) matrix(i, j) = -matrix(i, j);
+  }
+  return matrix;
+}
+
 namespace {
 
-// Entries of a band's matrix, row by row, dealt out to rounds; `start`: lane of its first row and column.
-void deal(const symbolic::Matrix<Surd>& matrix, int start, std::vector<TurnRound>& rounds) {
-  for (int i = 0; i < matrix.rows(); ++i) {
-    std::size_t round = 0;
-    for (int j = 0; j < matrix.columns(); ++j) {
-      if (matrix(i, j).is_zero()) continue;
-      if (round == rounds.size()) {
-        rounds.emplace_back();
-        for (int lane = 0; lane < kLanes; ++lane) rounds.back().column[lane] = lane;
-      }
-      rounds[round].column[start + i] = start + j;
-      rounds[round].entry[start + i] = matrix(i, j);
-      ++round;
+constexpr int kNoLane = -1;
+
+// The entries of D_l(S), dealt out to rounds; lanes: of orders m = -l .. l, or kNoLane. A row that has fewer entries than
+// another reads its first column again, times 0.
+template <std::size_t Lanes, class RowLane, class ColumnLane>
+void deal(int l, const RowLane& row_lane, const ColumnLane& column_lane, std::vector<TurnRound<Lanes>>& rounds) {
+  const symbolic::Matrix<Surd> matrix = swap_matrix(l);
+  const auto columns_of = [&](int row) {
+    std::vector<int> columns;
+    for (int j = -l; j <= l; ++j) {
+      if (!matrix(l + row, l + j).is_zero()) columns.push_back(j);
+    }
+    return columns;
+  };
+  for (int row = -l; row <= l; ++row) {
+    if (row_lane(row) == kNoLane) continue;
+    while (rounds.size() < columns_of(row).size()) {
+      TurnRound<Lanes> round;
+      std::iota(round.column.begin(), round.column.end(), 0);
+      if (!rounds.empty()) round.column = rounds.front().column;
+      rounds.push_back(round);
+    }
+  }
+  for (int row = -l; row <= l; ++row) {
+    const int lane = row_lane(row);
+    if (lane == kNoLane) continue;
+    const std::vector<int> columns = columns_of(row);
+    for (std::size_t t = 0; t < rounds.size(); ++t) {
+      const int j = columns[t < columns.size() ? t : 0];
+      rounds[t].column.at(lane) = column_lane(j);
+      rounds[t].entry.at(lane) = t < columns.size() ? matrix(l + row, l + j) : Surd(0);
     }
   }
 }
@@ -95,22 +122,35 @@ void deal(const symbolic::Matrix<Surd>& matrix, int start, std::vector<TurnRound
 }  // namespace
 
 LaneTurns lane_turns(int first, int last) {
-  LaneTurns turns{first, last, {}, {}, {}, {}, {}};
+  LaneTurns turns{first, last, {}, {}, {}, {}};
   if (turns.lanes() > kLanes) throw std::logic_error("lane turns: more coefficients than lanes");
-  for (int lane = 0; lane < kLanes; ++lane) turns.partner[lane] = lane;
+  std::iota(turns.partner.begin(), turns.partner.end(), 0);
   for (int l = first; l <= last; ++l) {
-    const int start = l * l - first * first;
+    const auto lane_of = [start = l * l - first * first + l](int m) { return start + m; };
     for (int m = -l; m <= l; ++m) {
-      const std::size_t lane = start + l + m;
+      const std::size_t lane = lane_of(m);
       turns.order[lane] = m < 0 ? -m : m;
-      turns.partner[lane] = start + l - m;
+      turns.partner[lane] = lane_of(-m);
       turns.sign[lane] = m > 0 ? -1 : m < 0 ? 1 : 0;
     }
-    const auto quarter = symbolic::surd_entries(l, symbolic::rotation_x90(l));
-    deal(quarter, start, turns.quarter);
-    deal(quarter.transposed(), start, turns.back);
+    deal(l, lane_of, lane_of, turns.swap);
   }
   return turns;
+}
+
+LanePairs lane_pairs(const std::vector<int>& bands) {
+  LanePairs pairs{bands, {}, {}};
+  int start = 0;
+  for (const int l : bands) {
+    if (l >= pairs.lanes()) throw std::logic_error("lane pairs: more orders than lanes");
+    const auto column = [start](int m) { return start + (m < 0 ? -m - 1 : m); };
+    deal(
+        l, [start](int m) { return m < 0 ? kNoLane : start + m; }, column, pairs.cosines);
+    deal(
+        l, [start](int m) { return m < 0 ? start - m : kNoLane; }, column, pairs.sines);
+    start += pairs.lanes();
+  }
+  return pairs;
 }
 
 }  // namespace sh::codegen::recipes

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "numeric/oracle/index.hpp"
+#include "symbolic/number/matrix.hpp"
 #include "symbolic/number/surd.hpp"
 
 namespace sh::codegen::recipes {
@@ -39,28 +40,49 @@ struct LaneTriples {
 LaneTriples lane_triples();
 
 /// One entry of every row of a matrix: out[lane] += entry[lane] * in[column[lane]].
+template <std::size_t Lanes>
 struct TurnRound {
-  std::array<int, kLanes> column{};
-  std::array<symbolic::Surd, kLanes> entry;
+  std::array<int, Lanes> column{};
+  std::array<symbolic::Surd, Lanes> entry;
 };
 
-/// The tables that rotate some bands in 16 SIMD lanes by turns about z and the constant quarter turn T = D(Rx(90)).
+/// D_l(S), where S swaps y and z: a symmetric matrix, and its own inverse. Because of parity, its rows have few entries.
+symbolic::Matrix<symbolic::Surd> swap_matrix(int l);
+
+/// The tables that rotate some bands in 16 SIMD lanes by turns about z and S: R = Rz(alpha) S Rz(b) S Rz(gamma).
 ///
-/// R = Rz(alpha) Ry(beta) Rz(gamma) with D(Ry(beta)) = T^T D(Rz(beta)) T. A turn about z adds cos(m angle) times a lane
-/// and, with a sign, sin(m angle) times the lane of -m. Because of parity, T and its transpose have few entries in each
-/// row. A round multiplies one entry of every row by the lane of its column.
+/// A turn about z adds cos(m angle) times a lane and, with a sign, sin(m angle) times the lane of -m. A round multiplies
+/// one entry of every row of S by the lane of its column.
 struct LaneTurns {
   int first = 0;
   int last = 0;
   std::array<int, kLanes> order{};    ///< |m|
   std::array<int, kLanes> partner{};  ///< the lane of -m
   std::array<int, kLanes> sign{};     ///< the sign of the sine: -1 for m > 0
-  std::vector<TurnRound> quarter;     ///< T
-  std::vector<TurnRound> back;        ///< the transpose of T
+  std::vector<TurnRound<kLanes>> swap;
   [[nodiscard]] int lanes() const { return numeric::coefficient_count(last) - first * first; }
 };
 
 /// Bands first .. last, at most 16 coefficients, in their usual order. The unused lanes are 0.
 LaneTurns lane_turns(int first, int last);
+
+/// The number of lanes of one of two registers that hold a band by pairs.
+inline constexpr int kPairLanes = 8;
+
+/// S for bands in two registers of 8 lanes: lane m of the one has order m, of the other order -m, m > 0. A turn about z
+/// needs no permutation. Bands up to 3 take four lanes each, so that two of them share the registers.
+///
+/// The columns of cosine rows (m >= 0) are the orders with l + |m| even, of sine rows those with l + |m| odd. So each kind
+/// of row has all its columns in one register in which order -m is one lane lower: in the lane of a cosine of the other
+/// kind.
+struct LanePairs {
+  std::vector<int> bands;                                                                  ///< from lane 0 on
+  std::vector<TurnRound<kPairLanes>> cosines;                                              ///< rows m >= 0
+  std::vector<TurnRound<kPairLanes>> sines;                                                ///< rows m < 0, in lane -m
+  [[nodiscard]] int lanes() const { return kPairLanes / static_cast<int>(bands.size()); }  ///< of a band
+};
+
+/// One band up to 7, or two up to 3. Throws std::logic_error if they do not fit.
+LanePairs lane_pairs(const std::vector<int>& bands);
 
 }  // namespace sh::codegen::recipes

@@ -3,7 +3,7 @@
 // Copied by:    shgen write, from codegen/runtime to generated/batch
 // Licence:      MIT-0; paste it anywhere.
 //
-// R = Rz(alpha) Ry(beta) Rz(gamma), D(Ry(beta)) = T^T D(Rz(beta)) T with the constant quarter turn T = D(Rx(90))
+// R = Rz(alpha) Ry(beta) Rz(gamma), Ry(beta) = S Rz(-beta) S, where S swaps y and z
 // (D. Pinchon, P. E. Hoggan, "Rotation matrices for real spherical harmonics", J. Phys. A 40, 2007); tables: turns.hpp.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace sh::batch::SH_BATCH_ISA {
 
 inline __m512 permute(const int* lanes, __m512 v) { return _mm512_permutexvar_ps(_mm512_load_si512(lanes), v); }
 
-// Cosines and sines of the multiples of alpha, beta and gamma.
+// Cosines and sines of the multiples of alpha, -beta and gamma.
 template <int Degree>
 class MultipleAngles {
   enum Angle { kAlpha, kBeta, kGamma };
@@ -35,7 +35,7 @@ class MultipleAngles {
     // to length 1. An error of a length grows with the multiple.
     const float correction = 1.5F - 0.5F * (r[8] * r[8] + sine_square);
     const __m128 cosines = _mm_setr_ps(x, r[8] * correction, r[4] * x - r[1] * y, 0.0F);
-    const __m128 sines = _mm_setr_ps(y, sine_square * correction, r[3] * x - r[0] * y, 0.0F);
+    const __m128 sines = _mm_setr_ps(y, -sine_square * correction, r[3] * x - r[0] * y, 0.0F);
     constexpr __mmask8 kOfBeta = 1U << kBeta;
     constexpr __mmask8 kOthers = 1U << kAlpha | 1U << kGamma;
     const __m128 squares = _mm_mask_mov_ps(_mm_fmadd_ps(cosines, cosines, sines * sines), kOfBeta, _mm_set1_ps(square));
@@ -55,9 +55,9 @@ class MultipleAngles {
     constexpr int first = Turns::kFirst * Turns::kFirst;
     __m512 v = _mm512_maskz_loadu_ps(mask, c + first);
     v = turn<Turns, kGamma>(v);
-    v = multiply<Turns::kRounds>(Turns::kQuarterColumn, Turns::kQuarter, v);
+    v = swap<Turns>(v);
     v = turn<Turns, kBeta>(v);
-    v = multiply<Turns::kBackRounds>(Turns::kBackColumn, Turns::kBack, v);
+    v = swap<Turns>(v);
     v = turn<Turns, kAlpha>(v);
     _mm512_mask_storeu_ps(out + first, mask, v);
   }
@@ -106,11 +106,12 @@ class MultipleAngles {
     return _mm512_fmadd_ps(sine * sign, partner, cosine * v);
   }
 
-  // By a constant matrix, an entry of every row a round.
-  template <int Rounds>
-  [[gnu::always_inline]] static __m512 multiply(const int (*column)[16], const float (*entry)[16], __m512 v) {
-    __m512 sum = _mm512_load_ps(entry[0]) * permute(column[0], v);
-    repeat<Rounds - 1>([&](auto t) { sum += _mm512_load_ps(entry[t + 1]) * permute(column[t + 1], v); });
+  // By D(S), an entry of every row a round.
+  template <class Turns>
+  [[gnu::always_inline]] static __m512 swap(__m512 v) {
+    __m512 sum = _mm512_load_ps(Turns::kSwap[0]) * permute(Turns::kSwapColumn[0], v);
+    repeat<Turns::kSwapRounds - 1>(
+        [&](auto t) { sum += _mm512_load_ps(Turns::kSwap[t + 1]) * permute(Turns::kSwapColumn[t + 1], v); });
     return sum;
   }
 

@@ -3,18 +3,20 @@
 // Copied by:    shgen write, from codegen/runtime to generated/batch
 // Licence:      MIT-0; paste it anywhere.
 //
-// With AVX-512 SIMD inside, degree 3 to 6; otherwise the kernels of generated/cpp/rotate.hpp. A prepared matrix is the
-// same on every instruction set: matrices to degree 1, columns of lanes above.
+// SIMD inside with AVX2 and AVX-512, degree 3 to 7; otherwise the kernels of generated/cpp/rotate.hpp. A prepared matrix is
+// the same on every instruction set: matrices to degree 1, columns of lanes above.
 #include "../cpp/rotate.hpp"
 #include "../cpp/rotate_apply.hpp"
 #include "../cpp/rotate_build.hpp"
 #include "call.hpp"
 #include "turns.hpp"
+#include "vectors.hpp"
 
 #if defined(__AVX512F__)
 #include "rotate_lanes.hpp"
-#else
-#include "vectors.hpp"
+#endif
+#if defined(__AVX2__)
+#include "rotate_pairs.hpp"
 #endif
 
 namespace sh::batch::SH_BATCH_ISA {
@@ -100,9 +102,6 @@ template <int Degree>
   });
 }
 #else
-template <int Degree>
-constexpr auto lanes = scalar<Degree>;
-
 #if defined(__AVX__)
 constexpr int kWidth = 8;
 #else
@@ -139,11 +138,24 @@ template <int Degree>
 }
 #endif
 
+// The fastest way for degree 3 to 7.
+template <int Degree>
+constexpr detail::RotateOne fastest() {
+#if defined(__AVX512F__)
+  if constexpr (Degree <= detail::kLastTurnDegree) return lanes<Degree>;
+#endif
+#if defined(__AVX2__)
+  return rotate_pairs<Degree>;
+#else
+  return scalar<Degree>;
+#endif
+}
+
 }  // namespace
 
 extern const detail::RotateOne kRotateOne[];
-const detail::RotateOne kRotateOne[] = {scalar<0>, scalar<1>, scalar<2>, lanes<3>,  lanes<4>,  lanes<5>,
-                                        lanes<6>,  scalar<7>, scalar<8>, scalar<9>, scalar<10>};
+const detail::RotateOne kRotateOne[] = {scalar<0>,    scalar<1>,    scalar<2>, fastest<3>(), fastest<4>(), fastest<5>(),
+                                        fastest<6>(), fastest<7>(), scalar<8>, scalar<9>,    scalar<10>};
 extern const detail::RotatePrepare kRotatePrepareOne[];
 const detail::RotatePrepare kRotatePrepareOne[] = {
     build<0>,         build<1>,         build_columns<2>, build_columns<3>, build_columns<4>, build_columns<5>,

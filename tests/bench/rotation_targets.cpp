@@ -16,6 +16,19 @@ namespace {
 
 constexpr std::size_t kRotations = 64;
 
+// f on AVX2, where that is available.
+template <class F>
+auto on_avx2(const F& f) {
+  return [f] {
+    struct Scope {
+      batch::InstructionSet before = batch::instruction_set();
+      ~Scope() { batch::use_instruction_set(before); }
+    } const scope;
+    if (batch::available(batch::InstructionSet::kAvx2)) batch::use_instruction_set(batch::InstructionSet::kAvx2);
+    return f();
+  };
+}
+
 void times(Table& table) {
   table.section("Rotation by a matrix, float, ns", "control: z-x90-z with angles from the matrix; building included");
   const std::vector<float> r = random_rotations(kRotations);
@@ -40,7 +53,8 @@ void times(Table& table) {
            batch::rotate(kDegree, kRotations, batch::blocked(blocks_r.get()), batch::blocked(blocks_c.get()),
                          batch::blocked(out.get()));
          },
-         one_by_one([](const float* m, const float* v, float* o) { batch::rotate_one(kDegree, m, v, o); })});
+         one_by_one([](const float* m, const float* v, float* o) { batch::rotate_one(kDegree, m, v, o); }),
+         on_avx2(one_by_one([](const float* m, const float* v, float* o) { batch::rotate_one(kDegree, m, v, o); }))});
     const double ns = 1e9 / kRotations;
     const std::string degree = "degree " + std::to_string(kDegree);
     table.ratio("rotate, " + degree, "ns", t[0] * ns, t[1] * ns, "z-x90-z", 0.9);
@@ -49,8 +63,10 @@ void times(Table& table) {
     table.cell("the classic z-x90-z rotation", kDegree, t[1] * ns);
     if (kDegree > 2) table.cell("rotate, one with SIMD inside", kDegree, t[3] * ns);
     table.cell("rotate, one of a batch", kDegree, t[2] * ns);
-    if (kDegree < 3 || kDegree > 6) return;
+    if (kDegree < 3 || kDegree > 7) return;
     table.ratio("rotate, one with SIMD inside, " + degree, "ns", t[3] * ns, t[1] * ns, "z-x90-z", 0.6);
+    if (!batch::available(batch::InstructionSet::kAvx2)) return;
+    table.ratio("rotate, one in AVX2 lanes, " + degree, "ns", t[4] * ns, t[0] * ns, "rotate, one vector", 0.95);
   });
 }
 
@@ -117,10 +133,16 @@ void errors(Table& table) {
   for_degrees<2, 5>([&]<int kDegree>() {
     const std::string degree = ", degree " + std::to_string(kDegree);
     const auto kernel = [](const auto* r, const auto* c, auto* out) { sh::rotate<kDegree>(r, c, out); };
-    const auto lanes = [](const float* r, const float* c, float* out) { batch::rotate_one(kDegree, r, c, out); };
     table.figure("rotate" + degree + ", float", "", largest_error<kDegree, float>(kernel), 1e-6);
-    table.figure("rotate" + degree + ", one with SIMD inside", "", largest_error<kDegree, float>(lanes), 1e-6);
     table.figure("rotate" + degree + ", double", "", largest_error<kDegree, double>(kernel), 4e-15);
+  });
+  for_degrees<3, 7>([&]<int kDegree>() {
+    const auto lanes = [](const float* r, const float* c, float* out) { batch::rotate_one(kDegree, r, c, out); };
+    const auto error = [&] { return largest_error<kDegree, float>(lanes); };
+    const std::string degree = "rotate, degree " + std::to_string(kDegree);
+    table.figure(degree + ", one with SIMD inside", "", error(), 1e-6);
+    if (!batch::available(batch::InstructionSet::kAvx2)) return;
+    table.figure(degree + ", one in AVX2 lanes", "", on_avx2(error)(), 1e-6);
   });
 }
 

@@ -104,10 +104,11 @@ TEST(LaneTables, TermsInLanesAreTheGauntTensor) {
 }
 
 // The matrix that the rounds represent.
-std::vector<std::vector<cln::cl_R>> matrix_of(const std::vector<recipes::TurnRound>& rounds) {
-  std::vector<std::vector<cln::cl_R>> matrix(recipes::kLanes, std::vector<cln::cl_R>(recipes::kLanes, 0));
-  for (const recipes::TurnRound& round : rounds) {
-    for (std::size_t lane = 0; lane < matrix.size(); ++lane) {
+template <std::size_t Lanes>
+std::vector<std::vector<cln::cl_R>> matrix_of(const std::vector<recipes::TurnRound<Lanes>>& rounds) {
+  std::vector<std::vector<cln::cl_R>> matrix(Lanes, std::vector<cln::cl_R>(Lanes, 0));
+  for (const recipes::TurnRound<Lanes>& round : rounds) {
+    for (std::size_t lane = 0; lane < Lanes; ++lane) {
       cln::cl_R& entry = matrix[lane][round.column[lane]];
       entry = entry + number(round.entry[lane]);
     }
@@ -115,19 +116,56 @@ std::vector<std::vector<cln::cl_R>> matrix_of(const std::vector<recipes::TurnRou
   return matrix;
 }
 
-TEST(LaneTables, QuarterTurnsBackAndForthAreTheIdentity) {
+TEST(LaneTables, SwapsOfYAndZAreTheirOwnInverse) {
   for (const auto& [first, last] : {std::pair(0, 3), std::pair(4, 4), std::pair(5, 5), std::pair(6, 6)}) {
     const recipes::LaneTurns turns = recipes::lane_turns(first, last);
-    const auto there = matrix_of(turns.quarter);
-    const auto back = matrix_of(turns.back);
-    for (std::size_t i = 0; i < there.size(); ++i) {
-      for (std::size_t j = 0; j < there.size(); ++j) {
+    const auto swap = matrix_of(turns.swap);
+    for (std::size_t i = 0; i < swap.size(); ++i) {
+      for (std::size_t j = 0; j < swap.size(); ++j) {
         cln::cl_R sum = i == j && static_cast<int>(i) < turns.lanes() ? -1 : 0;
-        for (std::size_t k = 0; k < there.size(); ++k) sum = sum + back[i][k] * there[k][j];
+        for (std::size_t k = 0; k < swap.size(); ++k) sum = sum + swap[i][k] * swap[k][j];
         EXPECT_TRUE(is_small(sum)) << first << ": " << i << " " << j;
       }
     }
   }
+}
+
+// Y_lm at (x, z, y) is a sum over the row of S; bands 1 and 2 by hand: z, y swap; xy <-> xz; and (2zz - xx - yy) / 2 s.
+TEST(LaneTables, ASwapMovesTheFunctionsOfBandOneAndTwo) {
+  const auto one = recipes::swap_matrix(1);
+  const auto two = recipes::swap_matrix(2);
+  const auto entry = [](const auto& matrix, int i, int j) { return number(matrix(i, j)); };
+  EXPECT_TRUE(is_small(entry(one, 0, 1) - 1) && is_small(entry(one, 1, 0) - 1) && is_small(entry(one, 2, 2) - 1));
+  EXPECT_TRUE(is_small(entry(two, 0, 3) - 1) && is_small(entry(two, 3, 0) - 1) && is_small(entry(two, 1, 1) - 1));
+  EXPECT_TRUE(is_small(2 * entry(two, 2, 2) + 1) && is_small(2 * entry(two, 4, 4) - 1));
+  EXPECT_TRUE(is_small(4 * entry(two, 2, 4) * entry(two, 2, 4) - 3) && entry(two, 2, 4) < 0);
+}
+
+// Rows of pairs, read back: cosine rows from columns l + |m| even, sine rows from columns l + |m| odd.
+TEST(LaneTables, PairsHoldTheRowsOfASwap) {
+  for (const std::vector<int>& bands : {std::vector{3, 2}, {4}, {5}, {6}, {7}}) {
+    const recipes::LanePairs pairs = recipes::lane_pairs(bands);
+    const std::array rows{matrix_of(pairs.sines), matrix_of(pairs.cosines)};
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+      const int l = bands[b];
+      const auto start = static_cast<int>(b) * pairs.lanes();
+      const auto swap = recipes::swap_matrix(l);
+      for (int i = -l; i <= l; ++i) {
+        const bool is_cosine = i >= 0;
+        std::vector<cln::cl_R> found(2 * l + 1, 0);
+        for (int j = -l; j <= l; ++j) {
+          const bool is_even = (l + std::abs(j)) % 2 == 0;
+          if (is_even == is_cosine)
+            found[l + j] = rows.at(is_cosine ? 1 : 0)[start + std::abs(i)][start + (j < 0 ? -j - 1 : j)];
+        }
+        for (int j = -l; j <= l; ++j) {
+          EXPECT_TRUE(is_small(found[l + j] - number(swap(l + i, l + j)))) << l << ": " << i << " " << j;
+        }
+      }
+    }
+  }
+  EXPECT_THROW(static_cast<void>(recipes::lane_pairs({8})), std::logic_error);
+  EXPECT_THROW(static_cast<void>(recipes::lane_pairs({3, 4})), std::logic_error);
 }
 
 }  // namespace

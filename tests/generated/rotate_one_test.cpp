@@ -1,7 +1,9 @@
 // One rotation with SIMD inside, and with a prepared matrix: against the oracle, on every instruction set.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "generated/batch/batch.hpp"
@@ -76,6 +78,8 @@ Floats rotated_by(int degree, const Floats& matrix, const Floats& c) {
   return out;
 }
 
+std::size_t band_of(std::size_t index) { return static_cast<std::size_t>(std::sqrt(static_cast<double>(index))); }
+
 void expect_near(const Floats& actual, const Wide& expected, double tolerance, const std::string& what) {
   for (std::size_t i = 0; i < actual.size(); ++i) {
     ASSERT_NEAR(static_cast<double>(actual[i]), static_cast<double>(expected[i]), tolerance) << what << " " << i;
@@ -129,6 +133,47 @@ TEST(RotateOne, GivesTheSameBitsInPlaceAndAtAnyAlignmentAndWritesNothingElse) {
         batch::rotate_prepared_one(degree, matrix_at.records().data, c_at.records().data, out.records().data);
         EXPECT_EQ(out.read()[0], expected_by) << degree;
         EXPECT_TRUE(out.guarded()) << degree;
+      }
+    });
+  }
+}
+
+TEST(RotateOne, ReadsAndWritesNothingBeyondTheArrays) {
+  const Floats r = rotations()[61];
+  const FencedArray<float> turn_at(r.size());
+  std::copy(r.begin(), r.end(), turn_at.begin());
+  for (int degree = 0; degree <= kLargest; ++degree) {
+    const Floats c = unit_floats(degree, 5);
+    const FencedArray<float> c_at(c.size());
+    const FencedArray<float> out(c.size());
+    std::copy(c.begin(), c.end(), c_at.begin());
+    on_every_set([&] {
+      batch::rotate_one(degree, turn_at.data(), c_at.data(), out.data());
+      EXPECT_EQ(Floats(out.begin(), out.end()), rotated(degree, r, c)) << degree;
+    });
+  }
+}
+
+TEST(RotateOne, SpoilsNoOtherBandWhereACoefficientIsNotFinite) {
+  const Floats r = rotations()[61];
+  for (int degree = 1; degree <= kLargest; ++degree) {
+    on_every_set([&] {
+      const Floats c = unit_floats(degree, 6);
+      const Floats expected = rotated(degree, r, c);
+      for (std::size_t i = 0; i < c.size(); ++i) {
+        const std::size_t l = band_of(i);
+        for (const float bad : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+          Floats spoiled = c;
+          spoiled[i] = bad;
+          const Floats out = rotated(degree, r, spoiled);
+          for (std::size_t k = 0; k < out.size(); ++k) {
+            if (band_of(k) == l) continue;
+            EXPECT_EQ(out[k], expected[k]) << degree << ": " << i;
+          }
+          EXPECT_TRUE(std::any_of(out.begin() + l * l, out.begin() + (l + 1) * (l + 1),
+                                  [](float x) { return !std::isfinite(x); }))
+              << degree << ": " << i;
+        }
       }
     });
   }
