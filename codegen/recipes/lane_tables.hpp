@@ -76,10 +76,11 @@ inline constexpr int kPairLanes = 8;
 /// of row has all its columns in one register in which order -m is one lane lower: in the lane of a cosine of the other
 /// kind.
 struct LanePairs {
-  std::vector<int> bands;                                                                  ///< from lane 0 on
-  std::vector<TurnRound<kPairLanes>> cosines;                                              ///< rows m >= 0
-  std::vector<TurnRound<kPairLanes>> sines;                                                ///< rows m < 0, in lane -m
-  [[nodiscard]] int lanes() const { return kPairLanes / static_cast<int>(bands.size()); }  ///< of a band
+  std::vector<int> bands;                      ///< from lane 0 on
+  std::vector<TurnRound<kPairLanes>> cosines;  ///< rows m >= 0
+  std::vector<TurnRound<kPairLanes>> sines;    ///< rows m < 0, in lane -m
+  /// Of a band.
+  [[nodiscard]] int lanes() const { return kPairLanes / static_cast<int>(bands.size()); }
 };
 
 /// One band up to 7, or two up to 3. Throws std::logic_error if they do not fit.

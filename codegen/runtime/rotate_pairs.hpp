@@ -39,7 +39,7 @@ template <int Bit>
   return {shuffle<LanesWith<Bit>>(Eight{} + 1.0F, z.re), shuffle<LanesWith<Bit>>(Eight{}, z.im)};
 }
 
-// The multiples of gamma, b and alpha: lane k of `all` has e^(i k angle); `low` repeats 0 to 3.
+// The multiples of gamma, b and alpha: lane k of all_ holds e^(i k angle); low_ holds k = 0 to 3 twice.
 template <int Degree>
 class PairAngles {
  public:
@@ -47,13 +47,13 @@ class PairAngles {
   // Gamma comes first and from the fewest operations, because it is needed first.
   [[gnu::always_inline]] explicit PairAngles(const float* r) {
     constexpr float kTiny = 1.9721523e-31F;  // 2^-102
-    Eight x = all(r[6]);
-    Eight y = all(r[7]);
-    const Eight z = all(r[8]);
+    Eight x = same(r[6]);
+    Eight y = same(r[7]);
+    const Eight z = same(r[8]);
     const Eight sine_square = x * x + y * y;
     Eight length_square = sine_square;
     if (__builtin_expect(static_cast<long>(sine_square[0] < kTiny), 0L) != 0) {
-      x = length_square = all(1.0F);
+      x = length_square = same(1.0F);
       y = Eight{};
     }
     const Eight inverse_square = 1.0F / length_square;
@@ -65,7 +65,7 @@ class PairAngles {
     const Eight correction = 1.5F - 0.5F * (z * z + sine_square);
     const Complex tilt{z * correction, sine_square * inverse * correction};
     set(kB, tilt, square(tilt));
-    const Complex last{all(r[4]) * first.re - all(r[3]) * first.im, all(r[0]) * first.im - all(r[1]) * first.re};
+    const Complex last{same(r[4]) * first.re - same(r[3]) * first.im, same(r[0]) * first.im - same(r[1]) * first.re};
     const Eight unit = 1.5F - 0.5F * (last.re * last.re + last.im * last.im);
     const Complex alpha{last.re * unit, last.im * unit};
     set(kAlpha, alpha, square(alpha));
@@ -84,7 +84,7 @@ class PairAngles {
  private:
   enum Angle { kGamma, kB, kAlpha };
 
-  [[gnu::always_inline]] static Eight all(float x) { return _mm256_set1_ps(x); }
+  [[gnu::always_inline]] static Eight same(float x) { return _mm256_set1_ps(x); }
 
   [[gnu::always_inline]] void set(Angle angle, const Complex& once, const Complex& twice) {
     low_[angle] = where<1>(once) * where<2>(twice);
