@@ -46,6 +46,8 @@ void times(Table& table) {
         }
       };
     };
+    const auto with_simd =
+        one_by_one([](const float* m, const float* v, float* o) { batch::rotate_one(kDegree, m, v, o); });
     const std::vector<double> t = least_times(
         {one_by_one([](const float* m, const float* v, float* o) { sh::rotate<kDegree>(m, v, o); }),
          one_by_one([](const float* m, const float* v, float* o) { textbook::classic_rotation<kDegree>(m, v, o); }),
@@ -53,8 +55,7 @@ void times(Table& table) {
            batch::rotate(kDegree, kRotations, batch::blocked(blocks_r.get()), batch::blocked(blocks_c.get()),
                          batch::blocked(out.get()));
          },
-         one_by_one([](const float* m, const float* v, float* o) { batch::rotate_one(kDegree, m, v, o); }),
-         on_avx2(one_by_one([](const float* m, const float* v, float* o) { batch::rotate_one(kDegree, m, v, o); }))});
+         with_simd, on_avx2(with_simd)});
     const double ns = 1e9 / kRotations;
     const std::string degree = "degree " + std::to_string(kDegree);
     table.ratio("rotate, " + degree, "ns", t[0] * ns, t[1] * ns, "z-x90-z", 0.9);

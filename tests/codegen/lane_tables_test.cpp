@@ -130,7 +130,7 @@ TEST(LaneTables, SwapsOfYAndZAreTheirOwnInverse) {
   }
 }
 
-// Y_lm at (x, z, y) is a sum over the row of S; bands 1 and 2 by hand: z, y swap; xy <-> xz; and (2zz - xx - yy) / 2 s.
+// By hand. Band 1: y and z change places, x stays. Band 2: xy and xz change places, yz stays; 2zz - xx - yy and xx - yy mix.
 TEST(LaneTables, ASwapMovesTheFunctionsOfBandOneAndTwo) {
   const auto one = recipes::swap_matrix(1);
   const auto two = recipes::swap_matrix(2);
