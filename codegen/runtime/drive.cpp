@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <utility>
 
 #include "layout.hpp"
 #include "sizes.hpp"
@@ -19,6 +21,33 @@ constexpr std::size_t kSegmentBlocks = 64;  // added up in lanes before they go 
 bool direct(const void* data, Layout layout, std::size_t size) {
   const bool blocks = layout == Layout::kBlocked || (layout == Layout::kPlain && size == 1);
   return blocks && reinterpret_cast<std::uintptr_t>(data) % detail::kLine == 0;
+}
+
+// The sum of the lanes of a value, in double: both halves are added until one number is left, the same on every instruction
+// set.
+template <int... I, class V>
+double sum_of(const V& v, std::integer_sequence<int, I...> /*lanes of a half*/) {
+  constexpr int kHalf = sizeof...(I);
+  if constexpr (kHalf == 1) {
+    return v[0] + v[1];
+  } else {
+    const auto sums = __builtin_shufflevector(v, v, I...) + __builtin_shufflevector(v, v, (kHalf + I)...);
+    return sum_of(sums, std::make_integer_sequence<int, kHalf / 2>());
+  }
+}
+double sum_of_lanes(const float* lanes) {
+  using Floats = float __attribute__((vector_size(32)));
+  using Doubles = double __attribute__((vector_size(64)));
+  Floats half[2];
+  std::memcpy(half, lanes, sizeof half);
+  const Doubles sums = __builtin_convertvector(half[0], Doubles) + __builtin_convertvector(half[1], Doubles);
+  return sum_of(sums, std::make_integer_sequence<int, 4>());
+}
+double sum_of_lanes(const double* lanes) {
+  using Doubles = double __attribute__((vector_size(64)));
+  Doubles all;
+  std::memcpy(&all, lanes, sizeof all);
+  return sum_of(all, std::make_integer_sequence<int, 4>());
 }
 
 template <class T>
@@ -269,9 +298,7 @@ class Driver {
         set_inputs(whole * kBlock<T>, 1, rest);
         kernel_(blocks_);
       }
-      for (std::size_t k = 0; k < plan_.out; ++k) {
-        for (std::size_t lane = 0; lane < kBlock<T>; ++lane) totals[k] += double(lanes[k * kBlock<T> + lane]);
-      }
+      for (std::size_t k = 0; k < plan_.out; ++k) totals[k] += sum_of_lanes(lanes + k * kBlock<T>);
     }
     double finished[detail::kMostSums];
     if (plan_.finish != nullptr) plan_.finish(call_.degree, totals, finished);
