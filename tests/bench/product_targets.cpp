@@ -1,5 +1,8 @@
 // Products of two functions against the classic factoring into pairs of coefficients, chosen greedily [Snyder06].
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "generated/batch/batch.hpp"
@@ -29,6 +32,38 @@ std::function<void()> one_by_one(const std::vector<float>& a, const std::vector<
       keep(*out);
     }
   };
+}
+
+// Largest error of a coefficient of product_one for unit vectors, in epsilons, against the same kernel in double.
+template <int Degree>
+double largest_error(const std::vector<float>& a, const std::vector<float>& b) {
+  constexpr std::size_t kSize = coefficient_count(Degree);
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); i += kSize) {
+    std::array<double, kSize> in_a{};
+    std::array<double, kSize> in_b{};
+    std::array<double, kSize> exact{};
+    std::array<float, kSize> out{};
+    std::copy_n(&a[i], kSize, in_a.begin());
+    std::copy_n(&b[i], kSize, in_b.begin());
+    sh::product<Degree>(in_a.data(), in_b.data(), exact.data());
+    batch::product_one(Degree, &a[i], &b[i], out.data());
+    for (std::size_t k = 0; k < kSize; ++k) {
+      largest = std::fmax(largest, std::abs(exact[k] - static_cast<double>(out[k])));
+    }
+  }
+  return largest / static_cast<double>(std::numeric_limits<float>::epsilon());
+}
+
+void errors(Table& table) {
+  constexpr std::size_t kPairs = 20000;
+  table.section("Products, largest error of product_one for 20000 pairs of unit vectors, in epsilons",
+                "against the kernel in double");
+  for_degrees<2, 6>([&]<int kDegree>() {
+    const std::vector<float> a = random_vectors(kPairs, coefficient_count(kDegree));
+    const std::vector<float> b(a.rbegin(), a.rend());
+    table.figure("product_one, degree " + std::to_string(kDegree), "eps", largest_error<kDegree>(a, b), 4);
+  });
 }
 
 }  // namespace
@@ -65,6 +100,7 @@ void product(Table& table) {
     table.cell("product, one with SIMD inside", kDegree, t[3] * ns);
     table.cell("product, one of a batch", kDegree, t[2] * ns);
   });
+  errors(table);
 }
 
 }  // namespace sh::bench
