@@ -2,6 +2,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "codegen/ir/cost.hpp"
 #include "codegen/print/batch_driver.hpp"
 #include "codegen/print/dialect.hpp"
 #include "numeric/oracle/index.hpp"
@@ -62,6 +63,52 @@ $statement  }
                  {"channels", std::to_string(channels)},
                  {"scalar", half ? "Half" : "T"},
                  {"statement", indented}});
+}
+
+// Whether a kernel stores more than it loads, but for its constants.
+bool stores_most(const Kernel& kernel) {
+  const RecordSignature s = signature_of(kernel);
+  int loaded = 0;
+  for (const Record& record : s.inputs) loaded += record.size;
+  return !s.sums && s.out_size > loaded;
+}
+
+// The last degree whose constants and values fit in the registers of AVX-512.
+int last_in_registers(const Driver& driver) {
+  constexpr int kRegisters = 32;
+  int last = -1;
+  for (const FinishedKernel& finished : driver.kernels) {
+    const Kernel& kernel = finished.kernel;
+    const std::vector<bool> live = live_nodes(kernel);
+    int constants = 0;
+    for (NodeId id = 0; id < kernel.size(); ++id) constants += live[id] && kernel.node(id).op == Op::kConstant ? 1 : 0;
+    if (constants + cost(kernel).max_live > kRegisters) break;
+    last = kernel.degree;
+  }
+  return last;
+}
+
+// The kernel of blocks that stores more than it loads, but for its constants: two loops, one of which gets those without
+// loads.
+std::string storing_kernel(const Driver& driver) {
+  const Kernel& kernel = driver.last();
+  return filled(R"(template <int Degree, class T>
+[[gnu::flatten]] void kernel(const Blocks<T>& blocks) {
+  const auto compute = [](const auto* const* in, auto* out) {
+    $call
+  };
+#if defined(SH_BATCH_BROADCASTS)
+  constexpr int kLastInRegisters = $last;  // degree
+  constexpr Constants kWithoutLoads = Degree <= kLastInRegisters ? Constants::kRegisters : Constants::kInstructions;
+  if (detail::loads_delay_stores) return for_every_register<$inputs, kWithoutLoads>(blocks, compute);
+#endif
+  for_every_register<$inputs>(blocks, compute);
+}
+
+)",
+                {{"inputs", std::to_string(signature_of(kernel).inputs.size())},
+                 {"call", call_of(kernel)},
+                 {"last", std::to_string(last_in_registers(driver))}});
 }
 
 std::string block_kernel(const std::string& name, const Kernel& kernel, Loop loop = Loop::kPlain,
@@ -274,7 +321,9 @@ std::string kernels_file(const Driver& driver) {
   if (driver.spec.rings) includes += "#include \"transfer_rings.hpp\"\n";
   if (driver.prepares() || driver.adds_parts()) includes += "#include \"once.hpp\"\n";
   const bool rings = driver.spec.rings;
-  std::string kernels = driver.spec.scalar_products ? "" : block_kernel("kernel", driver.last(), Loop::kPlain, rings);
+  std::string kernels = driver.spec.scalar_products  ? ""
+                        : stores_most(driver.last()) ? storing_kernel(driver)
+                                                     : block_kernel("kernel", driver.last(), Loop::kPlain, rings);
   if (driver.adds_parts()) kernels += block_kernel("parts", driver.parts->back().kernel);
   if (driver.prepares()) kernels += block_kernel("kernel_prepared", driver.prepared->back().kernel, Loop::kFixed);
   if (driver.spec.groups) kernels += record_kernels(driver.last());

@@ -42,6 +42,16 @@ namespace detail {
 
 std::atomic<int> in_use{kNotChosen};
 
+// Sunny Cove, and what is built alike.
+#if defined(SH_BATCH_X86)
+bool loads_delay_stores = [] {
+  __builtin_cpu_init();
+  return __builtin_cpu_is("icelake-client") || __builtin_cpu_is("icelake-server") || __builtin_cpu_is("tigerlake");
+}();
+#else
+bool loads_delay_stores = false;
+#endif
+
 int chosen() noexcept {
   int place = in_use;
   if (place == kNotChosen) {

@@ -9,7 +9,10 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <initializer_list>
+#include <type_traits>
 #include <utility>
 #include <xsimd/xsimd.hpp>
 
@@ -70,10 +73,36 @@ class Product {
   V a_, b_;
 };
 
+// Where a kernel's constants come from: memory, as the compiler likes it, which takes a load at each use where registers do
+// not suffice; registers alone; or factors from instructions at each use, and terms of sums from memory.
+enum class Constants { kMemory, kRegisters, kInstructions };
+
+#if defined(__AVX512F__)
+#define SH_BATCH_BROADCASTS
+
+// A constant in all lanes by way of a general register: no load, but an instruction on a port of arithmetic.
+template <Constants From, class T>
+[[gnu::always_inline]] inline auto broadcast(T value) noexcept {
+  std::conditional_t<sizeof(T) == sizeof(float), std::int32_t, long long> bits;
+  static_assert(sizeof bits == sizeof value);
+  std::memcpy(&bits, &value, sizeof bits);
+  if constexpr (From == Constants::kRegisters) {
+    asm("" : "+r"(bits));
+  } else {
+    asm volatile("" : "+r"(bits));  // not before the loop: there are too few registers for all constants
+  }
+  if constexpr (sizeof(T) == sizeof(float)) {
+    return _mm512_castsi512_ps(_mm512_set1_epi32(bits));
+  } else {
+    return _mm512_castsi512_pd(_mm512_set1_epi64(bits));
+  }
+}
+#endif
+
 // Some lanes of one value of a block. A block's value takes 64 bytes, a register perhaps less: successive elements of
 // an array of Lanes are 64 bytes apart, and only the first register of each is used, so that an array of Lanes lies on
 // a block.
-template <class T>
+template <class T, Constants From = Constants::kMemory>
 class Lanes {
  public:
   using value_type = T;
@@ -90,8 +119,8 @@ class Lanes {
     return *this;
   }
 
-  friend Lanes operator+(const Lanes& a, const Lanes& b) noexcept { return a.get() + b.get(); }
-  friend Lanes operator-(const Lanes& a, const Lanes& b) noexcept { return a.get() - b.get(); }
+  friend Lanes operator+(const Lanes& a, const Lanes& b) noexcept { return a.term() + b.term(); }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) noexcept { return a.term() - b.term(); }
   friend Product<Lanes> operator*(const Lanes& a, const Lanes& b) noexcept { return {a, b}; }
   friend Lanes operator/(const Lanes& a, const Lanes& b) noexcept { return a.get() / b.get(); }
   friend Lanes operator-(const Lanes& a) noexcept { return -a.get(); }
@@ -101,19 +130,32 @@ class Lanes {
     return xsimd::select(condition, a.get(), b.get());
   }
 
-  static Lanes product(const Lanes& a, const Lanes& b) noexcept { return a.get() * b.get(); }
+  static Lanes product(const Lanes& a, const Lanes& b) noexcept { return a.factor() * b.factor(); }
   static Lanes multiply_add(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
-    return Register(SH_BATCH_ISA::multiply_add(a.get(), b.get(), c.get()));
+    return Register(SH_BATCH_ISA::multiply_add(a.factor(), b.factor(), c.term()));
   }
   static Lanes multiply_subtract(const Lanes& a, const Lanes& b, const Lanes& c) noexcept {
-    return Register(SH_BATCH_ISA::multiply_subtract(a.get(), b.get(), c.get()));
+    return Register(SH_BATCH_ISA::multiply_subtract(a.factor(), b.factor(), c.term()));
   }
   static Lanes subtract_product(const Lanes& c, const Lanes& a, const Lanes& b) noexcept {
-    return Register(SH_BATCH_ISA::subtract_product(c.get(), a.get(), b.get()));
+    return Register(SH_BATCH_ISA::subtract_product(c.term(), a.factor(), b.factor()));
   }
 
  private:
   [[nodiscard]] Register get() const noexcept { return Register(part_[0]); }
+
+  [[nodiscard]] [[gnu::always_inline]] Register factor() const noexcept {
+#if defined(SH_BATCH_BROADCASTS)
+    if constexpr (From != Constants::kMemory) {
+      const T value = part_[0][0];
+      if (__builtin_constant_p(value)) return Register(broadcast<From>(value));
+    }
+#endif
+    return get();
+  }
+  [[nodiscard]] [[gnu::always_inline]] Register term() const noexcept {
+    return From == Constants::kRegisters ? factor() : get();
+  }
 
   typename Register::register_type part_[kParts];  // not of class type: g++ would keep a copy of each in memory
 };
@@ -177,15 +219,15 @@ template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0>
 }
 
 // Calls kernel(in, out) for every register of every block; in[j] and out are arrays of Lanes, one a value.
-template <int Inputs, class T, class Kernel>
+template <int Inputs, Constants From = Constants::kMemory, class T, class Kernel>
 [[gnu::always_inline]] inline void for_every_register(const Blocks<T>& blocks, const Kernel& kernel) {
   for (std::size_t b = 0; b < blocks.count; ++b) {
     for (std::size_t lane = 0; lane < lanes_of(blocks); lane += Lanes<T>::kWidth) {
-      const Lanes<T>* in[Inputs];
+      const Lanes<T, From>* in[Inputs];
       for (int j = 0; j < Inputs; ++j) {
-        in[j] = reinterpret_cast<const Lanes<T>*>(blocks.in[j] + b * blocks.step[j] + lane);
+        in[j] = reinterpret_cast<const Lanes<T, From>*>(blocks.in[j] + b * blocks.step[j] + lane);
       }
-      kernel(in, reinterpret_cast<Lanes<T>*>(blocks.out + b * blocks.out_step + lane));
+      kernel(in, reinterpret_cast<Lanes<T, From>*>(blocks.out + b * blocks.out_step + lane));
     }
   }
 }

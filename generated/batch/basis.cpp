@@ -12,9 +12,15 @@ namespace {
 
 template <int Degree, class T>
 [[gnu::flatten]] void kernel(const Blocks<T>& blocks) {
-  for_every_register<1>(blocks, [](const Lanes<T>* const* in, Lanes<T>* out) {
+  const auto compute = [](const auto* const* in, auto* out) {
     sh::basis<Degree>(in[0][0], in[0][1], in[0][2], out);
-  });
+  };
+#if defined(SH_BATCH_BROADCASTS)
+  constexpr int kLastInRegisters = 4;  // degree
+  constexpr Constants kWithoutLoads = Degree <= kLastInRegisters ? Constants::kRegisters : Constants::kInstructions;
+  if (detail::loads_delay_stores) return for_every_register<1, kWithoutLoads>(blocks, compute);
+#endif
+  for_every_register<1>(blocks, compute);
 }
 
 template <int Degree, class T, class Rows = InOrder>

@@ -37,6 +37,9 @@ struct DirectKernels {
   RecordKernel<T> interleaved = nullptr;
 };
 
+/// Whether the processor stores a register of 64 bytes in one cycle, but in two or three beside loads. Tests set it.
+extern bool loads_delay_stores;
+
 /// Something computed once a call.
 template <class T>
 using Once = void (*)(int degree, const T* in, T* out);

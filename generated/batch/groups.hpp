@@ -253,6 +253,14 @@ constexpr std::size_t most_single() {
 template <class T, std::size_t Out, std::size_t In>
 constexpr std::size_t kMostSingle = most_single<T, Out, In>();
 
+// Whether g++ keeps so many columns in memory that two records are faster one by one where loads delay stores, as measured.
+template <class T, std::size_t Out, std::size_t In>
+#if defined(__clang__)
+constexpr bool kHasSlowPairs = false;
+#else
+constexpr bool kHasSlowPairs = kTakesParts && sizeof(T) == sizeof(double) && In + Out > 60;
+#endif
+
 // Calls kernel(in, out) for a group of records of InA and of InB values (0: there is one input), to records of Out values.
 // Rows: the columns of the values of the first input.
 template <class T, class Rows, std::size_t Out, std::size_t InA, std::size_t InB, class Count, class Kernel>
@@ -314,6 +322,9 @@ template <class T, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Gro
           std::size_t Out, std::size_t InA, std::size_t InB = 0>
 inline void run_records(const T* a, const T* b, std::size_t n, T* to) {
   if (n <= kMostSingle<T, Out, InA + InB>) return OneByOne(a, b, n, to);
+  if constexpr (kHasSlowPairs<T, Out, InA + InB>) {
+    if (n == 2 && detail::loads_delay_stores) return OneByOne(a, b, n, to);
+  }
   if constexpr (kMostSingle<T, Out, InA + InB> < kGroup<T>) {
     if (n < kGroup<T>) return Part(a, b, n, to);
     if (!kIsVectorised<Out, InA + InB> || n < 2 * kGroup<T>) {

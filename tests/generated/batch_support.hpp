@@ -26,14 +26,19 @@ using batch::Records;
 
 inline constexpr std::size_t kMostInputs = 3;
 
-/// Runs f on every available instruction set, then goes back to the one before.
+/// Runs f on every available instruction set, on AVX-512 as on processors of both kinds, then goes back to the one before.
 template <class F>
 void on_every_set(const F& f) {
   const InstructionSet before = batch::instruction_set();
+  bool& loads_delay_stores = batch::detail::loads_delay_stores;
   for (const InstructionSet set : {InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512}) {
     if (!batch::available(set)) continue;
     batch::use_instruction_set(set);
     f();
+    if (set != InstructionSet::kAvx512) continue;
+    loads_delay_stores = !loads_delay_stores;
+    f();
+    loads_delay_stores = !loads_delay_stores;
   }
   batch::use_instruction_set(before);
 }
