@@ -76,11 +76,11 @@ std::string loop_in_caller(const Driver& driver) {
   }
   return filled(R"(template <int Degree, class T>
 [[gnu::always_inline]] inline void loop_$name(std::size_t n$parameters, T* to) {
-  for (std::size_t i = 0; i < n; ++i) {
+  for_each_record(n, [=](std::size_t i) {
     const T* const in[] = {$records};
     T* const out = to + i * $size;
     $call
-  }
+  });
 }
 )",
                 {{"name", driver.name},

@@ -9,11 +9,13 @@
 
 #include "call.hpp"
 
-// Whether the compiler of a caller knows a value; what it should expect.
+// Whether the compiler of a caller knows a value; what it should expect; the end of a pass of a loop that stays as it is.
 #if defined(__GNUC__)
+#define SH_BATCH_ALONE() asm volatile("")
 #define SH_BATCH_KNOWS(value) __builtin_constant_p(value)
 #define SH_BATCH_LIKELY(condition) __builtin_expect(condition, true)
 #else
+#define SH_BATCH_ALONE() static_cast<void>(0)
 #define SH_BATCH_KNOWS(value) false
 #define SH_BATCH_LIKELY(condition) (condition)
 #endif
@@ -53,6 +55,20 @@ constexpr std::size_t kFewPlain = 32;
 template <class... Array>
 [[gnu::always_inline]] inline bool are_few(std::size_t n, const Array&... arrays) {
   return n <= kFewPlain && are_plain(arrays...);
+}
+
+/// Calls f(0), ..., f(n - 1). Few one by one, so that the compiler does not begin a loop over vectors for them.
+template <class F>
+[[gnu::always_inline]] inline void for_each_record(std::size_t n, const F& f) {
+  constexpr std::size_t kFewest = 8;
+  if (n < kFewest) {
+    for (std::size_t i = 0; i < n; ++i) {
+      f(i);
+      SH_BATCH_ALONE();
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < n; ++i) f(i);
 }
 
 /// Layouts of the arrays of a call, in one register: with more than six words a call would go through memory.

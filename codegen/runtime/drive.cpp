@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <utility>
 
 #include "layout.hpp"
 #include "sizes.hpp"
@@ -23,31 +22,18 @@ bool direct(const void* data, Layout layout, std::size_t size) {
   return blocks && reinterpret_cast<std::uintptr_t>(data) % detail::kLine == 0;
 }
 
-// The sum of the lanes of a value, in double: both halves are added until one number is left, the same on every instruction
-// set.
-template <int... I, class V>
-double sum_of(const V& v, std::integer_sequence<int, I...> /*lanes of a half*/) {
-  constexpr int kHalf = sizeof...(I);
-  if constexpr (kHalf == 1) {
-    return v[0] + v[1];
-  } else {
-    const auto sums = __builtin_shufflevector(v, v, I...) + __builtin_shufflevector(v, v, (kHalf + I)...);
-    return sum_of(sums, std::make_integer_sequence<int, kHalf / 2>());
-  }
-}
+// The sum of the lanes of a value, in double: both halves are added until one number is left.
 double sum_of_lanes(const float* lanes) {
-  using Floats = float __attribute__((vector_size(32)));
-  using Doubles = double __attribute__((vector_size(64)));
-  Floats half[2];
-  std::memcpy(half, lanes, sizeof half);
-  const Doubles sums = __builtin_convertvector(half[0], Doubles) + __builtin_convertvector(half[1], Doubles);
-  return sum_of(sums, std::make_integer_sequence<int, 4>());
+  using FourDoubles = double __attribute__((vector_size(32)));
+  FourDoubles four[4];
+  for (std::size_t i = 0; i < 4; ++i) four[i] = __builtin_convertvector(load(lanes + 4 * i), FourDoubles);
+  const FourDoubles sum = (four[0] + four[2]) + (four[1] + four[3]);
+  return (sum[0] + sum[2]) + (sum[1] + sum[3]);
 }
 double sum_of_lanes(const double* lanes) {
-  using Doubles = double __attribute__((vector_size(64)));
-  Doubles all;
-  std::memcpy(&all, lanes, sizeof all);
-  return sum_of(all, std::make_integer_sequence<int, 4>());
+  const double even = (lanes[0] + lanes[4]) + (lanes[2] + lanes[6]);
+  const double odd = (lanes[1] + lanes[5]) + (lanes[3] + lanes[7]);
+  return even + odd;
 }
 
 template <class T>
@@ -282,7 +268,8 @@ class Driver {
   // Lanes are added up over segments of fixed length, segments in double: the same sum for every layout.
   void sum() {
     T* lanes = take_room(plan_.out);
-    double totals[detail::kMostSums] = {};
+    double totals[detail::kMostSums];
+    for (std::size_t k = 0; k < plan_.out; ++k) totals[k] = 0;
     const std::size_t whole = call_.n / kBlock<T>;
     const std::size_t rest = call_.n % kBlock<T>;
     const std::size_t chunk = chunk_blocks(0, whole);

@@ -142,7 +142,7 @@ class Lanes {
   }
 
  private:
-  [[nodiscard]] Register get() const noexcept { return Register(part_[0]); }
+  [[nodiscard]] [[gnu::always_inline]] Register get() const noexcept { return Register(part_[0]); }
 
   [[nodiscard]] [[gnu::always_inline]] Register factor() const noexcept {
 #if defined(SH_BATCH_BROADCASTS)

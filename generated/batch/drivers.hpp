@@ -16,11 +16,11 @@ namespace sh::batch {
 namespace detail {
 template <int Degree, class T>
 [[gnu::always_inline]] inline void loop_basis(std::size_t n, const T* directions, T* to) {
-  for (std::size_t i = 0; i < n; ++i) {
+  for_each_record(n, [=](std::size_t i) {
     const T* const in[] = {directions + i * 3};
     T* const out = to + i * ((Degree + 1) * (Degree + 1));
     sh::basis<Degree>(in[0][0], in[0][1], in[0][2], out);
-  }
+  });
 }
 extern const DirectKernels<float>* const basis_float[];
 void run_basis(int degree, std::size_t n, const float* a, const float* /*b*/, float* out, Layouts layouts);
@@ -28,12 +28,12 @@ extern const DirectKernels<double>* const basis_double[];
 void run_basis(int degree, std::size_t n, const double* a, const double* /*b*/, double* out, Layouts layouts);
 template <int Degree, class T>
 [[gnu::always_inline]] inline void loop_basis_gradient(std::size_t n, const T* directions, T* to) {
-  for (std::size_t i = 0; i < n; ++i) {
+  for_each_record(n, [=](std::size_t i) {
     const T* const in[] = {directions + i * 3};
     T* const out = to + i * 4 * ((Degree + 1) * (Degree + 1));
     constexpr int kCount = (Degree + 1) * (Degree + 1);
     sh::basis_gradient<Degree>(in[0][0], in[0][1], in[0][2], out, out + kCount, out + 2 * kCount, out + 3 * kCount);
-  }
+  });
 }
 extern const DirectKernels<float>* const basis_gradient_float[];
 void run_basis_gradient(int degree, std::size_t n, const float* a, const float* /*b*/, float* out, Layouts layouts);
@@ -41,11 +41,11 @@ extern const DirectKernels<double>* const basis_gradient_double[];
 void run_basis_gradient(int degree, std::size_t n, const double* a, const double* /*b*/, double* out, Layouts layouts);
 template <int Degree, class T>
 [[gnu::always_inline]] inline void loop_evaluate(std::size_t n, const T* c, const T* directions, T* to) {
-  for (std::size_t i = 0; i < n; ++i) {
+  for_each_record(n, [=](std::size_t i) {
     const T* const in[] = {c + i * ((Degree + 1) * (Degree + 1)), directions + i * 3};
     T* const out = to + i * 1;
     out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
-  }
+  });
 }
 extern const DirectKernels<float>* const evaluate_float[];
 void run_evaluate(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
@@ -53,11 +53,11 @@ extern const DirectKernels<double>* const evaluate_double[];
 void run_evaluate(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
 template <int Degree, class T>
 [[gnu::always_inline]] inline void loop_evaluate_rgb(std::size_t n, const T* c, const T* directions, T* to) {
-  for (std::size_t i = 0; i < n; ++i) {
+  for_each_record(n, [=](std::size_t i) {
     const T* const in[] = {c + i * 3 * ((Degree + 1) * (Degree + 1)), directions + i * 3};
     T* const out = to + i * 3;
     sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
-  }
+  });
 }
 extern const DirectKernels<float>* const evaluate_rgb_float[];
 void run_evaluate_rgb(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
