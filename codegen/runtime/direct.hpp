@@ -9,13 +9,11 @@
 
 #include "call.hpp"
 
-// Whether the compiler of a caller knows a value; what it should expect; the end of a pass of a loop that stays as it is.
+// Whether the compiler of a caller knows a value; what it should expect.
 #if defined(__GNUC__)
-#define SH_BATCH_ALONE() asm volatile("")
 #define SH_BATCH_KNOWS(value) __builtin_constant_p(value)
 #define SH_BATCH_LIKELY(condition) __builtin_expect(condition, true)
 #else
-#define SH_BATCH_ALONE() static_cast<void>(0)
 #define SH_BATCH_KNOWS(value) false
 #define SH_BATCH_LIKELY(condition) (condition)
 #endif
@@ -57,17 +55,18 @@ template <class... Array>
   return n <= kFewPlain && are_plain(arrays...);
 }
 
-/// Calls f(0), ..., f(n - 1). Few one by one, so that the compiler does not begin a loop over vectors for them.
+/// Calls f(0), ..., f(n - 1). Compilers would begin a loop over vectors for few, too.
 template <class F>
 [[gnu::always_inline]] inline void for_each_record(std::size_t n, const F& f) {
-  constexpr std::size_t kFewest = 8;
-  if (n < kFewest) {
+#if defined(__GNUC__)
+  if (n < 8) {
     for (std::size_t i = 0; i < n; ++i) {
       f(i);
-      SH_BATCH_ALONE();
+      asm volatile("");  // one by one
     }
     return;
   }
+#endif
   for (std::size_t i = 0; i < n; ++i) f(i);
 }
 
