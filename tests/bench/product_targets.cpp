@@ -34,7 +34,7 @@ std::function<void()> one_by_one(const std::vector<float>& a, const std::vector<
   };
 }
 
-// Largest error of a coefficient of product_one for unit vectors, in epsilons, against the same kernel in double.
+// Largest error of a coefficient of product_one for unit vectors, in epsilons, against the header in double.
 template <int Degree>
 double largest_error(const std::vector<float>& a, const std::vector<float>& b) {
   constexpr std::size_t kSize = coefficient_count(Degree);
@@ -58,7 +58,7 @@ double largest_error(const std::vector<float>& a, const std::vector<float>& b) {
 void errors(Table& table) {
   constexpr std::size_t kPairs = 20000;
   table.section("Products, largest error of product_one for 20000 pairs of unit vectors, in epsilons",
-                "against the kernel in double");
+                "against the header in double");
   for_degrees<2, 6>([&]<int kDegree>() {
     const std::vector<float> a = random_vectors(kPairs, coefficient_count(kDegree));
     const std::vector<float> b(a.rbegin(), a.rend());
