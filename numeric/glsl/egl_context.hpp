@@ -2,7 +2,7 @@
 // llvmpipe.
 //
 // It needs no GPU and no display server, and gives the same results wherever Mesa runs. The constructor sets
-// LIBGL_ALWAYS_SOFTWARE and GALLIUM_DRIVER in the environment of the process, unless they are set already.
+// LIBGL_ALWAYS_SOFTWARE, GALLIUM_DRIVER and GALLIVM_PERF in the environment of the process, unless they are set already.
 #pragma once
 
 #include <memory>

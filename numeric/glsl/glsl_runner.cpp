@@ -70,30 +70,31 @@ class GlslProgram {
   GLuint id_;
 };
 
-// The body of "void call(int item)": reads the inputs of the item, calls the function and stores every output in its
+// The body of "void call(int item)": reads the inputs of the item, calls the function and stores four outputs in each
 // texel. All indices are constant: drivers compile loops, and arrays that are indexed by variables, many times slower.
 std::string wrapper(const GlslFunction& function) {
   std::string before;
   std::string arguments;
-  std::string after;
+  std::vector<std::string> outputs;
   const Signature& signature = function.signature;
   int input = 0;
-  int output = 0;
-  const auto store = [&](const std::string& value) {
-    after += fmt::format("    if (part == {}) texel[{}] = {};\n", output / 4, output % 4, value);
-    ++output;
-  };
-  if (signature.returns_value) store("returned");
+  if (signature.returns_value) outputs.push_back("returned");
   for (std::size_t i = 0; i < signature.parameters.size(); ++i) {
     const auto& p = signature.parameters[i];
     const auto element = [&](int k) { return p.count == 0 ? fmt::format("p{}", i) : fmt::format("p{}[{}]", i, k); };
     before += fmt::format("    float {};\n", element(p.count));
     arguments += fmt::format("{}p{}", i == 0 ? "" : ", ", i);
     for (int k = 0; k < p.values(); ++k) {
-      if (p.is_written()) store(element(k));
+      if (p.is_written()) outputs.push_back(element(k));
       if (!p.is_read()) continue;
       before += fmt::format("    {} = read_input(item * {} + {});\n", element(k), signature.input_count(), input++);
     }
+  }
+  outputs.resize((outputs.size() + 3) / 4 * 4, "0.0");
+  std::string after;
+  for (std::size_t i = 0; i < outputs.size(); i += 4) {
+    after += fmt::format("    if (part == {}) texel = vec4({}, {}, {}, {});\n", i / 4, outputs[i], outputs[i + 1],
+                         outputs[i + 2], outputs[i + 3]);
   }
   return fmt::format("void call(int item) {{\n{}    {}{}({});\n{}}}\n", before,
                      signature.returns_value ? "float returned = " : "", function.name, arguments, after);
@@ -112,6 +113,7 @@ std::string vertex_source(GlslLanguage language) {
          "}\n";
 }
 
+// With `discard`, llvmpipe compiles a shader once; without it, again for tiles that a triangle covers.
 std::string fragment_source(GlslLanguage language, const std::string& source, const GlslFunction& function,
                             Grouping grouping) {
   constexpr const char* kText = R"({version}#line 1
@@ -128,7 +130,8 @@ float read_input(int i) {{ return texelFetch(inputs, ivec2(i % {width}, i / {wid
     int item = place / {texels};
     part = place - item * {texels};
     texel = vec4(0.0);
-    if (item < items) call(item);
+    if (item >= items) discard;
+    call(item);
 }}
 )";
   return fmt::format(kText, fmt::arg("version", version_line(language)), fmt::arg("source", source),
