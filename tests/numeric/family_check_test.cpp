@@ -7,14 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "tests/numeric/of_role.hpp"
+
 namespace sh::numeric {
 namespace {
 
-Parameter of_role(const std::string& role, int count = 0, Access access = Access::kIn) {
-  Parameter parameter{role, count, access};
-  parameter.role = role;
-  return parameter;
-}
+using test::of_role;
 
 FamilyCheck made_up(const std::vector<Parameter>& parameters, bool normalized) {
   FamilyRecord record;

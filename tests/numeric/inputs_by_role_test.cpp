@@ -13,17 +13,14 @@
 
 #include "numeric/kernels/inputs.hpp"
 #include "numeric/oracle/basis.hpp"
+#include "tests/numeric/of_role.hpp"
 
 namespace sh::numeric {
 namespace {
 
-using Inputs = std::vector<NamedInput>;
+using test::of_role;
 
-Parameter of_role(const std::string& role, int count = 0, Access access = Access::kIn) {
-  Parameter parameter{role, count, access};
-  parameter.role = role;
-  return parameter;
-}
+using Inputs = std::vector<NamedInput>;
 
 Parameter coefficients(int degree, int channels = 1) {
   Parameter parameter = of_role("coefficients", channels * coefficient_count(degree));

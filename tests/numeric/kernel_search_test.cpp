@@ -12,9 +12,12 @@
 #include <vector>
 
 #include "numeric/oracle/rotation_matrices.hpp"
+#include "tests/numeric/of_role.hpp"
 
 namespace sh::numeric {
 namespace {
+
+using test::of_role;
 
 using ErrorOf = std::function<double(const std::vector<double>& in)>;
 
@@ -40,12 +43,6 @@ void erring(T* const* arguments) {
 
 void right(Wide* const* arguments) {
   for (int i = 0; i < 2; ++i) arguments[shape().size()][i] = Wide(3);
-}
-
-Parameter of_role(const std::string& role, int count = 0) {
-  Parameter parameter{role, count};
-  parameter.role = role;
-  return parameter;
 }
 
 /// A check of a kernel with these parameters, that starts at these inputs and compares errors with 1.
