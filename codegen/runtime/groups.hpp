@@ -258,7 +258,7 @@ template <class T, std::size_t Out, std::size_t In>
 #if defined(__clang__)
 constexpr bool kHasSlowPairs = false;
 #else
-constexpr bool kHasSlowPairs = kTakesParts && sizeof(T) == sizeof(double) && In + Out > 60;
+constexpr bool kHasSlowPairs = kTakesParts && sizeof(T) == sizeof(double) && In + Out > 50;
 #endif
 
 // Calls kernel(in, out) for a group of records of InA and of InB values (0: there is one input), to records of Out values.

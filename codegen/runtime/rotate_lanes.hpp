@@ -119,13 +119,29 @@ class MultipleAngles {
   __m512 sine_[2];
 };
 
-// Bands 0 to 3 of a rotated function by the columns of their matrices; out may be c.
+// Bands 0 to 3 of a rotated function by the columns of their matrices; out may be c. The lanes of each column follow from
+// those of the one before it: additions, for loads are what takes the time.
 inline void apply_first_bands(const float* columns, const float* c, float* out) {
   const __m512 v = _mm512_loadu_ps(c);
-  __m512 sum = _mm512_loadu_ps(columns) * permute(detail::kColumnOfBands[0], v);
-  repeat<6>(
-      [&](auto j) { sum += _mm512_loadu_ps(columns + (j + 1) * 16) * permute(detail::kColumnOfBands[j + 1], v); });
+  __m512i minus_one = _mm512_set1_epi32(-1);
+  asm("" : "+v"(minus_one));
+  __m512i lanes = _mm512_load_si512(detail::kColumnOfBands[0]);
+  __m512 sum = _mm512_loadu_ps(columns) * _mm512_permutexvar_ps(lanes, v);
+  repeat<6>([&](auto j) {
+    constexpr int kFirstBand = (j + 2) / 2;  // that has a further column
+    constexpr __mmask16 kLonger = 0xffffU << kFirstBand * kFirstBand & 0xffffU;
+    lanes = _mm512_mask_sub_epi32(lanes, kLonger, lanes, minus_one);
+    sum += _mm512_loadu_ps(columns + (j + 1) * 16) * _mm512_permutexvar_ps(lanes, v);
+  });
   _mm512_storeu_ps(out, sum);
+}
+
+// Four values in every quarter of a register. Compilers would otherwise load each value in all lanes by itself, and Ice Lake
+// loads 64 bytes a cycle, a value in all lanes or not.
+[[gnu::always_inline]] inline __m512 load_four(const float* from) {
+  __m512 four = _mm512_broadcast_f32x4(_mm_loadu_ps(from));
+  asm("" : "+v"(four));
+  return four;
 }
 
 // Band L > 3 by its columns of Step lanes, 16 or 24. Columns take turns among `kSums` sums, so that no column waits for
@@ -135,12 +151,17 @@ template <int L, int Step>
   constexpr int kSize = 2 * L + 1;
   constexpr int kSums = L < 6 ? 2 : 4;
   constexpr int kAbove = kSize - 16;  // rows beyond the first 16 lanes
+  constexpr int kLastFour = kSize - 4;
   const float* band = c + L * L;
+  __m512 four;
   __m512 first[kSums];
   __m256 above[kSums];
   repeat<kSize>([&](auto j) {
     const float* column = columns + j * Step;
-    const __m512 factor = _mm512_set1_ps(band[j]);
+    constexpr int kFour = j / 4 * 4 < kLastFour ? j / 4 * 4 : kLastFour;
+    constexpr int kEveryQuarter = 0x55;
+    if constexpr (j % 4 == 0) four = load_four(band + kFour);
+    const __m512 factor = _mm512_permute_ps(four, (j - kFour) * kEveryQuarter);
     const __m512 term = _mm512_loadu_ps(column);
     if constexpr (j < kSums) {
       first[j] = term * factor;
