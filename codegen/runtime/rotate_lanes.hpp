@@ -123,14 +123,15 @@ class MultipleAngles {
 // those of the one before it: additions, for loads are what takes the time.
 inline void apply_first_bands(const float* columns, const float* c, float* out) {
   const __m512 v = _mm512_loadu_ps(c);
-  __m512i minus_one = _mm512_set1_epi32(-1);
-  asm("" : "+v"(minus_one));
+  int next = 1;
+  asm("" : "+r"(next));  // or compilers would load every sum, computed by themselves
+  const __m512i step = _mm512_set1_epi32(next);
   __m512i lanes = _mm512_load_si512(detail::kColumnOfBands[0]);
   __m512 sum = _mm512_loadu_ps(columns) * _mm512_permutexvar_ps(lanes, v);
   repeat<6>([&](auto j) {
     constexpr int kFirstBand = (j + 2) / 2;  // that has a further column
     constexpr __mmask16 kLonger = 0xffffU << kFirstBand * kFirstBand & 0xffffU;
-    lanes = _mm512_mask_sub_epi32(lanes, kLonger, lanes, minus_one);
+    lanes = _mm512_mask_add_epi32(lanes, kLonger, lanes, step);
     sum += _mm512_loadu_ps(columns + (j + 1) * 16) * _mm512_permutexvar_ps(lanes, v);
   });
   _mm512_storeu_ps(out, sum);
