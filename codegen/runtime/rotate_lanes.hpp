@@ -145,24 +145,23 @@ inline void apply_first_bands(const float* columns, const float* c, float* out) 
   return four;
 }
 
-// Band L > 3 by its columns of Step lanes, 16 or 24. Columns take turns among `kSums` sums, so that no column waits for
-// the one before it.
-template <int L, int Step>
-[[gnu::always_inline]] inline void apply_band(const float* columns, const float* c, float* out) {
+// Band L > 3 of Degree by its columns of Step lanes, 16 or 24. Columns take turns among `kSums` sums, so that no column
+// waits for the one before it. four: the last values that were loaded, of the band before at first.
+template <int Degree, int L, int Step>
+[[gnu::always_inline]] inline void apply_band(const float* columns, const float* c, __m512& four, float* out) {
   constexpr int kSize = 2 * L + 1;
   constexpr int kSums = L < 6 ? 2 : 4;
   constexpr int kAbove = kSize - 16;  // rows beyond the first 16 lanes
-  constexpr int kLastFour = kSize - 4;
-  const float* band = c + L * L;
-  __m512 four;
+  constexpr int kLastFour = (Degree + 1) * (Degree + 1) - 4;
   __m512 first[kSums];
   __m256 above[kSums];
   repeat<kSize>([&](auto j) {
     const float* column = columns + j * Step;
-    constexpr int kFour = j / 4 * 4 < kLastFour ? j / 4 * 4 : kLastFour;
+    constexpr int kPlace = L * L + j;
+    constexpr int kFour = kPlace / 4 * 4 < kLastFour ? kPlace / 4 * 4 : kLastFour;
     constexpr int kEveryQuarter = 0x55;
-    if constexpr (j % 4 == 0) four = load_four(band + kFour);
-    const __m512 factor = _mm512_permute_ps(four, (j - kFour) * kEveryQuarter);
+    if constexpr (kPlace % 4 == 0) four = load_four(c + kFour);
+    const __m512 factor = _mm512_permute_ps(four, (kPlace - kFour) * kEveryQuarter);
     const __m512 term = _mm512_loadu_ps(column);
     if constexpr (j < kSums) {
       first[j] = term * factor;

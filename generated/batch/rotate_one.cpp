@@ -96,9 +96,10 @@ template <int Degree>
 [[gnu::flatten]] void apply_columns(const float* prepared, const float* c, float* out) {
   if constexpr (Degree == 2) return apply_two_bands(prepared, c, out);
   apply_first_bands(prepared, c, out);
+  __m512 four;
   repeat<(Degree > 3 ? Degree - 3 : 0)>([&](auto above) {
     constexpr int kL = 4 + above;
-    apply_band<kL, lanes_of_band(kL)>(prepared + first_of_band(kL), c, out);
+    apply_band<Degree, kL, lanes_of_band(kL)>(prepared + first_of_band(kL), c, four, out);
   });
 }
 #else
