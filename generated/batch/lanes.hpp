@@ -219,8 +219,9 @@ template <class T, std::size_t Out, std::size_t InA, std::size_t InB = 0>
 }
 
 // Calls kernel(in, out) for every register of every block; in[j] and out are arrays of Lanes, one a value.
+// blocks: a copy, whose members no store of the kernel can change; a loop would load each of them again for every block.
 template <int Inputs, Constants From = Constants::kMemory, class T, class Kernel>
-[[gnu::always_inline]] inline void for_every_register(const Blocks<T>& blocks, const Kernel& kernel) {
+[[gnu::always_inline]] inline void for_every_register(const Blocks<T> blocks, const Kernel& kernel) {
   for (std::size_t b = 0; b < blocks.count; ++b) {
     for (std::size_t lane = 0; lane < lanes_of(blocks); lane += Lanes<T>::kWidth) {
       const Lanes<T, From>* in[Inputs];
@@ -276,7 +277,7 @@ template <std::size_t Near = 10240>
 
 // for_every_register where input 0, Size values a record, is in half precision: `in[0]` and `step[0]` count two of them as one.
 template <int Inputs, int Size, class Kernel>
-[[gnu::always_inline]] inline void for_every_register_half(const Blocks<float>& blocks, const Kernel& kernel) {
+[[gnu::always_inline]] inline void for_every_register_half(const Blocks<float> blocks, const Kernel& kernel) {
   for (std::size_t b = 0; b < blocks.count; ++b) {
     const float* block = blocks.in[0] + b * blocks.step[0];
     const auto* halves = reinterpret_cast<const Half*>(block);
