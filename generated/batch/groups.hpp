@@ -242,13 +242,16 @@ constexpr bool kTakesParts = false;
 #endif
 
 // The most records that are faster one by one than as a part of a group, as measured (tests/bench/plain_targets.cpp): all at
-// degree 0; of eight lanes three where records are short and stores take the most time.
+// degree 0; of eight lanes three where records are short, or have three outputs, and where clang stores many values.
 template <class T, std::size_t Out, std::size_t In>
 constexpr std::size_t most_single() {
   if (kGroup<T> == 1 || In + Out <= 5) return std::numeric_limits<std::size_t>::max();
   if (!kTakesParts) return kGroup<T> - 1;
   if (kGroup<T> < 8) return In + Out < 20 ? 2 : 1;
-  return Out >= 9 && In + Out < 20 ? 3 : 2;
+#if defined(__clang__)
+  if (Out >= 9 && In + Out < 40) return 3;
+#endif
+  return In + Out < (Out == 3 ? 35 : 20) ? 3 : 2;
 }
 template <class T, std::size_t Out, std::size_t In>
 constexpr std::size_t kMostSingle = most_single<T, Out, In>();
