@@ -227,6 +227,7 @@ Family rectangular_product_family(int left_degree, int right_degree, int degree)
 }
 
 std::vector<Family> product_families() {
+  const BatchDriver batch{.what = "Products of two functions, projected on the same bands", .single = 2, .largest = 6};
   return {{.name = "product",
            .largest_emitted = kLargestEmitted,
            .limit = kLimit,
@@ -241,7 +242,7 @@ std::vector<Family> product_families() {
            .reference = [](int degree, int points) { return product_reference(equal(degree), points); },
            .domain = factor_domain("|a| |b|", 2),
            .of_degrees = rectangular_product_family,
-           .batch = BatchDriver{.what = "Products of two functions, projected on the same bands", .largest = 6}},
+           .batch = batch},
           {.name = "product_full",
            .largest_written = kLargestComplete,
            .largest_emitted = kLargestComplete,

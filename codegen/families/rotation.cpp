@@ -225,7 +225,7 @@ std::vector<Family> rotation_families() {
                    {"recursive", recipes::rotate_recursive, 2, 3}},
        .reference = rotate_reference,
        .domain = {.inputs = kTurnedVectors, .unit = "|c|", .test_inputs = rotate_inputs, .sizes = {"|c|"}},
-       .batch = BatchDriver{.what = "Coefficients of rotated functions, by rotation matrices"}},
+       .batch = BatchDriver{.what = "Coefficients of rotated functions, by rotation matrices", .single = 7}},
       {.name = "rotate_quaternion",
        .largest_emitted = kLargestDegree,
        .recipes = {{"zxz", recipes::rotate_quaternion_zxz, 2, kLargestDegree},

@@ -55,7 +55,13 @@ std::string size_in_code(int size, int degree) {
   return size % count == 0 ? "{" + std::to_string(size / count) + ", 0}" : "{0, " + std::to_string(size) + "}";
 }
 
-bool is_direct(const Driver& driver, const Overload& types) { return driver.spec.groups && types.first != "Half"; }
+bool has_table(const Driver& driver) { return driver.spec.groups || driver.spec.single > 0; }
+bool is_direct(const Driver& driver, const Overload& types) { return has_table(driver) && types.first != "Half"; }
+
+// "SingleKernels<float>": what its table holds by degree.
+std::string table_type(const Driver& driver, const std::string& scalar) {
+  return (driver.spec.groups ? "DirectKernels<" : "SingleKernels<") + scalar + ">";
+}
 
 // AnyCall of direct.hpp.
 std::string any_signature(const Driver& driver, const std::string& scalar, const std::string& prefix = {}) {
@@ -98,19 +104,22 @@ std::string direct_function(const Driver& driver, const Overload& types) {
     inputs += ", " + record.name;
     arrays += ", " + record.name + ".data";
   }
-  for (int degree = 0; degree <= last_without_sums(driver); ++degree) {
+  for (int degree = 0; driver.spec.groups && degree <= last_without_sums(driver); ++degree) {
     loops += filled("    if (degree == $degree) return detail::loop_$name<$degree>(n$arrays, $out.data);\n",
                     {{"degree", std::to_string(degree)}, {"name", driver.name}, {"arrays", arrays}, {"out", s.out}});
   }
+  if (!loops.empty()) {
+    loops = filled("  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, $out$inputs))) {\n$loops  }\n",
+                   {{"out", s.out}, {"inputs", inputs}, {"loops", loops}});
+  }
   return filled(R"([[gnu::always_inline]] inline $signature {
   if (!detail::are_given($out$inputs)) return detail::run_any<$t>(detail::run_$name, degree, n, $out$inputs);
-  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, $out$inputs))) {
-$loops  }
-  detail::run_direct<$t>(detail::$table, detail::run_$name, degree, $degree, n, $out$inputs);
+$loops  detail::$run<$t>(detail::$table, detail::run_$name, degree, $degree, n, $out$inputs);
 }
 )",
                 {{"signature", public_signature(driver, types)},
                  {"loops", loops},
+                 {"run", driver.spec.groups ? "run_direct" : "run_single"},
                  {"t", types.scalar},
                  {"table", table_of_direct(driver, types.scalar)},
                  {"degree", std::to_string(driver.last().degree)},
@@ -127,7 +136,7 @@ std::string direct_declarations(const std::vector<Driver>& drivers) {
     for (const Overload& types : overloads(driver)) {
       if (!is_direct(driver, types)) continue;
       const std::string name = table_of_direct(driver, types.scalar);
-      const std::string type = "extern const DirectKernels<" + types.scalar + ">* const ";
+      const std::string type = "extern const " + table_type(driver, types.scalar) + "* const ";
       text += type + name + "[];\n";
       text += any_signature(driver, types.scalar) + ";\n";
     }
@@ -239,7 +248,7 @@ std::string definition(const Driver& driver, const Overload& types) {
   const RecordSignature s = signature_of(kernel);
   std::string tables, signature = public_signature(driver, types), arguments = arguments_of(s, types.first == "Half");
   if (is_direct(driver, types)) {
-    const std::string type = "const detail::DirectKernels<" + types.scalar + ">* const";
+    const std::string type = "const detail::" + table_type(driver, types.scalar) + "* const";
     const std::string table = table_of_direct(driver, types.scalar);
     tables = filled("$type detail::$table[] = SH_BATCH_EVERY($table);\n\n", {{"type", type}, {"table", table}});
     signature = any_signature(driver, types.scalar, "detail::");
@@ -272,9 +281,9 @@ std::string drivers_file(const std::vector<Driver>& drivers) {
     for (const Driver& driver : drivers) {
       text += "template <class T>\nvoid " + driver.name + "(const detail::Call<T>& call);\n";
       for (const char* scalar : {"float", "double"}) {
-        if (!driver.spec.groups) continue;
-        text += filled("extern const detail::DirectKernels<$t> $table[];\n",
-                       {{"t", scalar}, {"table", table_of_direct(driver, scalar)}});
+        if (!has_table(driver)) continue;
+        text += filled("extern const detail::$type $table[];\n",
+                       {{"type", table_type(driver, scalar)}, {"table", table_of_direct(driver, scalar)}});
       }
     }
     text += "}  // namespace " + std::string(isa) + "\n";

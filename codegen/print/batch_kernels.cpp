@@ -144,6 +144,16 @@ void interleaved(const T* a, const T* b, std::size_t n, T* to) {
 }
 )";
 
+// The degree whose matrices are so short that channels are turned together. From degree 2 on kernels compare and divide.
+constexpr int kTurnsColors = 1;
+
+// Whether something that is no function, such as a matrix, maps coefficients to coefficients: often the same for many.
+bool turns_colors(const Kernel& kernel) {
+  const RecordSignature s = signature_of(kernel);
+  return s.inputs.size() == 2 && !are_coefficients(s.inputs[0].size, kernel, 1) &&
+         are_coefficients(s.inputs[1].size, kernel, 1) && are_coefficients(s.out_size, kernel, 1);
+}
+
 // Kernels of plain records, one by one and by groups, and what chooses between them; of whole blocks.
 std::string record_kernels(const Kernel& kernel) {
   const RecordSignature s = signature_of(kernel);
@@ -204,6 +214,46 @@ void blocks(const T* a, const T* b, std::size_t count, T* to) {
        {"call", call_of(kernel)}});
 }
 
+// Kernels of one record after the other, and of the channels of interleaved records.
+std::string single_kernels(const Kernel& kernel) {
+  const RecordSignature s = signature_of(kernel);
+  return filled(R"(template <int Degree, class T>
+[[gnu::flatten]] void one_by_one(const Blocks<T>& records) {
+  for_every_record<2>(records, [](const One<T>* const* in, One<T>* out) {
+    $call
+  });
+}
+
+template <int Degree, class T>
+void few(const T* a, bool is_shared, const T* b, std::size_t n, T* to) {
+  one_by_one<Degree>(single_blocks<T, $size, $a, $b>(a, is_shared, b, n, to));
+}
+
+)",
+                {{"size", size_in_degree(s.out_size, kernel)},
+                 {"a", size_in_degree(s.inputs[0].size, kernel)},
+                 {"b", size_in_degree(s.inputs[1].size, kernel)},
+                 {"call", call_of(kernel)}}) +
+         (!turns_colors(kernel) ? ""
+                                : filled(R"(template <int Degree, class T>
+[[gnu::flatten]] void turn_colors(const T* a, const T* b, std::size_t n, T* to) {
+  for_every_color<$shared, $size>(a, b, n, to, [](const Color<T>* const* in, Color<T>* out) {
+    $call
+  });
+}
+
+template <int Degree, class T>
+constexpr detail::RecordKernel<T> colors() {
+  if constexpr (kHoldsColors<T>) return turn_colors<Degree, T>;
+  return nullptr;
+}
+
+)",
+                                         {{"shared", std::to_string(s.inputs[0].size)},
+                                          {"size", size_in_degree(s.out_size, kernel)},
+                                          {"call", call_of(kernel)}}));
+}
+
 // The kernels that need no driver, by degree.
 std::string direct_table(const Driver& driver, const std::string& scalar) {
   std::string text =
@@ -214,6 +264,24 @@ std::string direct_table(const Driver& driver, const std::string& scalar) {
                                      ? "    {records<$degree, $t>, blocks<$degree, $t>, interleaved<$degree, $t>},\n"
                                      : "    {records<$degree, $t>, blocks<$degree, $t>},\n";
     text += filled(row, {{"degree", std::to_string(finished.kernel.degree)}, {"t", scalar}});
+  }
+  return text + "};\n";
+}
+
+// The kernels of one record after the other, by degree.
+std::string single_table(const Driver& driver, const std::string& scalar) {
+  std::string text =
+      filled("extern const detail::SingleKernels<$t> $table[];\nconst detail::SingleKernels<$t> $table[] = {\n",
+             {{"t", scalar}, {"table", table_of_direct(driver, scalar)}});
+  for (const FinishedKernel& finished : driver.kernels) {
+    const RecordSignature s = signature_of(finished.kernel);
+    int values = s.out_size;
+    for (const Record& record : s.inputs) values += record.size;
+    text += filled("    {few<$degree, $t>, single_plain_records<$t>($single, $values)},\n",
+                   {{"degree", std::to_string(finished.kernel.degree)},
+                    {"t", scalar},
+                    {"single", std::to_string(driver.spec.single)},
+                    {"values", std::to_string(values)}});
   }
   return text + "};\n";
 }
@@ -255,6 +323,11 @@ std::string plan_row(const Driver& driver, std::size_t i) {
   if (!records.empty()) shared += ", " + records;
   if (driver.spec.groups) shared = ", -1, nullptr, nullptr, records" + at_degree + ", T>";
   if (driver.spec.groups && has_colors(driver.last())) shared += ", interleaved" + at_degree + ", T>";
+  if (driver.spec.single > 0) {
+    shared = ", -1, nullptr, nullptr, nullptr, nullptr, one_by_one" + at_degree + ", T>, single_records<T>(" +
+             std::to_string(driver.spec.single) + ")";
+    if (kernel.degree == kTurnsColors && turns_colors(kernel)) shared += ", colors" + at_degree + ", T>()";
+  }
   return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish$shared},\n",
                 {{"inputs", std::to_string(s.inputs.size())},
                  {"sizes", sizes},
@@ -317,7 +390,7 @@ std::string kernels_file(const Driver& driver) {
     if (further != nullptr) includes += "#include \"../cpp/" + further->back().kernel.family + ".hpp\"\n";
   }
   includes += "#include \"drive.hpp\"\n";
-  if (driver.spec.groups) includes += "#include \"groups.hpp\"\n";
+  if (driver.spec.groups || driver.spec.single > 0) includes += "#include \"groups.hpp\"\n";
   if (driver.spec.rings) includes += "#include \"transfer_rings.hpp\"\n";
   if (driver.prepares() || driver.adds_parts()) includes += "#include \"once.hpp\"\n";
   const bool rings = driver.spec.rings;
@@ -327,6 +400,7 @@ std::string kernels_file(const Driver& driver) {
   if (driver.adds_parts()) kernels += block_kernel("parts", driver.parts->back().kernel);
   if (driver.prepares()) kernels += block_kernel("kernel_prepared", driver.prepared->back().kernel, Loop::kFixed);
   if (driver.spec.groups) kernels += record_kernels(driver.last());
+  if (driver.spec.single > 0) kernels += single_kernels(driver.last());
   if (driver.spec.half && !driver.spec.scalar_products) {
     kernels +=
         "#if defined(SH_BATCH_CONVERTS_HALVES)\n" + block_kernel("kernel_half", driver.last(), Loop::kHalf, rings);
@@ -334,8 +408,12 @@ std::string kernels_file(const Driver& driver) {
     kernels += kHalfKernel;
   }
   if (!kernels.empty()) kernels = "namespace {\n\n" + kernels + "}  // namespace\n\n";
-  std::string plans;
+  std::string plans, tables;
   for (std::size_t i = 0; i < driver.kernels.size(); ++i) plans += plan_row(driver, i);
+  for (const char* scalar : {"float", "double"}) {
+    if (driver.spec.groups) tables += direct_table(driver, scalar);
+    if (driver.spec.single > 0) tables += single_table(driver, scalar);
+  }
   return filled(
       R"(// sh::batch::$name on the instruction set SH_BATCH_ISA.
 //
@@ -358,7 +436,7 @@ $tables
        {"includes", includes},
        {"kernels", kernels + "template <class T>"},
        {"plans", plans},
-       {"tables", driver.spec.groups ? "\n" + direct_table(driver, "float") + direct_table(driver, "double") : ""}});
+       {"tables", tables.empty() ? "" : "\n" + tables}});
 }
 
 std::string once_header(const std::vector<Driver>& drivers) {

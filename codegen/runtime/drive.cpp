@@ -35,6 +35,62 @@ double sum_of_lanes(const double* lanes) {
   return even + odd;
 }
 
+// Whether all arrays hold records in a row, or one for all.
+template <class T>
+bool are_in_rows(const detail::Call<T>& call, const Plan<T>& plan) {
+  bool rows = call.out.layout == Layout::kPlain;
+  for (int j = 0; j < plan.inputs; ++j) {
+    rows = rows && (call.in[j].layout == Layout::kPlain || call.in[j].layout == Layout::kShared);
+  }
+  return rows;
+}
+
+// Where value k of record i of a channel stands in an array of records of so many values.
+template <class T>
+std::size_t place_of(Layout layout, std::size_t size, std::size_t i, std::size_t k, std::size_t channel) {
+  if (layout == Layout::kInterleaved) return (i * size + k) * 3 + channel;
+  if (layout == Layout::kBlocked) return (i / kBlock<T> * size + k) * kBlock<T> + i % kBlock<T>;
+  return i * size + k;
+}
+
+// `count` records from `first` on, one after the other: where they stand, or copied to a row, a few at a time.
+template <class T>
+void run_singly(const detail::Call<T>& call, const Plan<T>& plan, std::size_t first, std::size_t count) {
+  constexpr std::size_t kRoom = 1024;  // values; no kernel takes and gives more for one record
+  T room[kRoom];
+  std::size_t values = plan.out;
+  for (int j = 0; j < plan.inputs; ++j) values += plan.in[j];
+  const std::size_t chunk = are_in_rows(call, plan) ? count : kRoom / values;
+  for (std::size_t end = first + count; first < end; first += chunk) {
+    Blocks<T> records;
+    records.count = chunk < end - first ? chunk : end - first;
+    for (std::size_t channel = 0; channel < call.channels; ++channel) {
+      T* free = room;
+      for (int j = 0; j < plan.inputs; ++j) {
+        const Records<const T>& in = call.in[j];
+        const std::size_t size = plan.in[j];
+        records.step[j] = in.layout == Layout::kShared ? 0 : size;
+        records.in[j] = in.data + first * records.step[j];
+        if (in.layout == Layout::kShared || in.layout == Layout::kPlain) continue;
+        records.in[j] = free;
+        for (std::size_t i = 0; i < records.count; ++i) {
+          for (std::size_t k = 0; k < size; ++k) *free++ = in.data[place_of<T>(in.layout, size, first + i, k, channel)];
+        }
+      }
+      const bool copies = call.out.layout != Layout::kPlain;
+      records.out = copies ? free : call.out.data + first * plan.out;
+      records.out_step = plan.out;
+      plan.kernel_single(records);
+      if (!copies) continue;
+      for (std::size_t i = 0; i < records.count; ++i) {
+        for (std::size_t k = 0; k < plan.out; ++k) {
+          call.out.data[place_of<T>(call.out.layout, plan.out, first + i, k, channel)] = *free++;
+        }
+      }
+    }
+  }
+}
+
 template <class T>
 class Driver {
  public:
@@ -59,6 +115,7 @@ class Driver {
   // The records after the last whole block. A block that ends with the last record is faster than part of a block; it
   // computes some records twice, from inputs that must still be there.
   void finish(std::size_t whole, std::size_t rest) {
+    if (rest <= plan_.most_single) return run_singly(call_, plan_, whole * kBlock<T>, rest);
     for (int j = 0; j < plan_.inputs; ++j) direct_in_[j] = direct_in_[j] && call_.in[j].layout == Layout::kShared;
     direct_out_ = false;
     if (whole > 0 && may_overlap()) return step(call_.n - kBlock<T>, 1, kBlock<T>);
@@ -311,6 +368,20 @@ detail::RecordKernel<T> record_kernel(const detail::Call<T>& call, const Plan<T>
   return plain && call.in[0].layout == Layout::kInterleaved ? plan.kernel_interleaved : nullptr;
 }
 
+// Whether to compute all records one after the other: few ones, and short ones in a row.
+template <class T>
+bool are_single(const detail::Call<T>& call, const Plan<T>& plan) {
+  if (plan.kernel_single == nullptr || call.half != nullptr || call.stream) return false;
+  return call.n <= plan.most_single || (plan.in[0] + plan.in[1] + plan.out <= kShort && are_in_rows(call, plan));
+}
+
+// Whether channels of interleaved records go through registers together.
+template <class T>
+bool takes_colors(const detail::Call<T>& call, const Plan<T>& plan) {
+  return plan.kernel_colors != nullptr && !call.stream && call.in[0].layout == Layout::kShared &&
+         call.in[1].layout == Layout::kInterleaved && call.out.layout == Layout::kInterleaved;
+}
+
 // Whether all records stand in whole blocks that a kernel can work on, but for an input that is always shared.
 template <class T>
 bool is_direct(const detail::Call<T>& call, const Plan<T>& plan) {
@@ -340,6 +411,8 @@ template <class T>
 void drive(const detail::Call<T>& call, const Plan<T>& plan) {
   if (const auto kernel = record_kernel(call, plan))
     return kernel(call.in[0].data, call.in[1].data, call.n, call.out.data);
+  if (takes_colors(call, plan)) return plan.kernel_colors(call.in[0].data, call.in[1].data, call.n, call.out.data);
+  if (are_single(call, plan)) return run_singly(call, plan, 0, call.n);
   if (!call.stream && !plan.sums && is_direct(call, plan)) return run_blocks(call, plan);
   Driver<T>(call, plan).run();
 }

@@ -42,6 +42,7 @@ inline double multiply_add(double a, double b, double c) noexcept {
 #endif
 }
 #if defined(__FMA__)
+inline Four multiply_add(const Four& a, const Four& b, const Four& c) noexcept { return _mm_fmadd_ps(a, b, c); }
 inline Wide multiply_add(const Wide& a, const Wide& b, const Wide& c) noexcept { return _mm256_fmadd_ps(a, b, c); }
 inline Doubles multiply_add(const Doubles& a, const Doubles& b, const Doubles& c) noexcept {
   return _mm256_fmadd_pd(a, b, c);
@@ -69,7 +70,10 @@ class Packed {
   friend Packed operator+(const Packed& a, const Packed& b) noexcept { return of(a.value_ + b.value_); }
   friend Packed operator-(const Packed& a, const Packed& b) noexcept { return of(a.value_ - b.value_); }
   friend Product<Packed> operator*(const Packed& a, const Packed& b) noexcept { return {a, b}; }
+  friend Packed operator/(const Packed& a, const Packed& b) noexcept { return of(a.value_ / b.value_); }
   friend Packed operator-(const Packed& a) noexcept { return of(-a.value_); }
+  friend bool operator<(const Packed& a, const Packed& b) noexcept { return a.value_ < b.value_; }
+  friend Packed sqrt(const Packed& a) noexcept { return of(std::sqrt(a.value_)); }
 
   static Packed product(const Packed& a, const Packed& b) noexcept { return of(a.value_ * b.value_); }
   static Packed multiply_add(const Packed& a, const Packed& b, const Packed& c) noexcept {
@@ -89,6 +93,20 @@ template <class T>
 using One = Packed<T, T>;
 template <class T>
 using Group = Packed<T, typename GroupRegister<T>::type>;
+
+// The channels of a value of one interleaved record, and a lane that serves nobody.
+template <class T>
+struct ColorRegister {
+  using type = Four;
+};
+template <>
+struct ColorRegister<double> {
+  using type = Doubles;
+};
+template <class T>
+using Color = Packed<T, typename ColorRegister<T>::type>;
+template <class T>
+constexpr bool kHoldsColors = sizeof(Color<T>) > 3 * sizeof(T);
 
 // Whether compilers vectorise a loop over records well enough: those of a few values, of degree 0; with shuffles of two
 // registers those of degree 1, too.
@@ -334,6 +352,48 @@ inline void run_records(const T* a, const T* b, std::size_t n, T* to) {
       return run_groups<T, OneByOne, Groups, Part, Out, InA, InB>(a, b, n, to);
     }
     OneByOne(a, b, n, to);
+  }
+}
+
+// Calls kernel(in, out) for every record; in[j] and out are arrays of One. records: blocks of one record.
+template <int Inputs, class T, class Kernel>
+[[gnu::always_inline]] inline void for_every_record(const Blocks<T> records, const Kernel& kernel) {
+  for (std::size_t i = 0; i < records.count; ++i) {
+    const One<T>* in[Inputs];
+    for (int j = 0; j < Inputs; ++j) in[j] = reinterpret_cast<const One<T>*>(records.in[j] + i * records.step[j]);
+    kernel(static_cast<const One<T>* const*>(in), reinterpret_cast<One<T>*>(records.out + i * records.out_step));
+    keep_order();
+  }
+}
+
+// Calls kernel(in, out) for n interleaved records `b` of Size values a channel, where `a`, of Shared values, serves all: in
+// registers that hold the channels of a value. to may be b.
+template <std::size_t Shared, std::size_t Size, class T, class Kernel>
+[[gnu::always_inline]] inline void for_every_color(const T* a, const T* b, std::size_t n, T* to, const Kernel& kernel) {
+  using Register = typename ColorRegister<T>::type;
+  constexpr std::size_t kLast = Size - 1;  // the lane that serves nobody would lie behind the record
+  Color<T> shared[Shared];
+  for (std::size_t k = 0; k < Shared; ++k) shared[k] = Color<T>(a[k]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const T* const from = b + i * 3 * Size;
+    T* const record = to + i * 3 * Size;
+    Color<T> values[Size];
+    Color<T> out[Size];
+    unrolled(
+        std::make_index_sequence<kLast>(), [&](std::size_t k) __attribute__((always_inline)) {
+          Register value;
+          std::memcpy(&value, from + 3 * k, sizeof value);
+          values[k] = Color<T>::of(value);
+        });
+    values[kLast] = Color<T>::of(Register{from[3 * kLast], from[3 * kLast + 1], from[3 * kLast + 2], T(0)});
+    const Color<T>* const in[] = {shared, values};
+    kernel(static_cast<const Color<T>* const*>(in), static_cast<Color<T>*>(out));
+    unrolled(
+        std::make_index_sequence<kLast>(), [&](std::size_t k) __attribute__((always_inline)) {
+          const Register value = out[k].get();
+          std::memcpy(record + 3 * k, &value, sizeof value);
+        });
+    for (std::size_t c = 0; c < 3; ++c) record[3 * kLast + c] = out[kLast].get()[c];
   }
 }
 

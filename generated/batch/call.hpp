@@ -37,6 +37,16 @@ struct DirectKernels {
   RecordKernel<T> interleaved = nullptr;
 };
 
+constexpr std::size_t kMostDirect = 1024;  // records of a direct call: their outputs stay in a cache
+
+/// The kernel of a degree for one record after the other, and the most records that it is called for directly.
+/// a: n records, or one for all; b, out: n plain records.
+template <class T>
+struct SingleKernels {
+  void (*run)(const T* a, bool is_shared, const T* b, std::size_t n, T* out);
+  std::size_t most;
+};
+
 /// Whether the processor stores a register of 64 bytes in one cycle, but in two or three beside loads. Tests set it.
 extern bool loads_delay_stores;
 

@@ -29,8 +29,12 @@ template <class T>
 void project(const detail::Call<T>& call);
 template <class T>
 void rotate(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> rotate_float[];
+extern const detail::SingleKernels<double> rotate_double[];
 template <class T>
 void product(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> product_float[];
+extern const detail::SingleKernels<double> product_double[];
 template <class T>
 void transfer_apply(const detail::Call<T>& call);
 template <class T>
@@ -68,8 +72,12 @@ template <class T>
 void project(const detail::Call<T>& call);
 template <class T>
 void rotate(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> rotate_float[];
+extern const detail::SingleKernels<double> rotate_double[];
 template <class T>
 void product(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> product_float[];
+extern const detail::SingleKernels<double> product_double[];
 template <class T>
 void transfer_apply(const detail::Call<T>& call);
 template <class T>
@@ -107,8 +115,12 @@ template <class T>
 void project(const detail::Call<T>& call);
 template <class T>
 void rotate(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> rotate_float[];
+extern const detail::SingleKernels<double> rotate_double[];
 template <class T>
 void product(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> product_float[];
+extern const detail::SingleKernels<double> product_double[];
 template <class T>
 void transfer_apply(const detail::Call<T>& call);
 template <class T>
@@ -201,24 +213,32 @@ void project(int degree, std::size_t n, Records<const double> directions, Record
   detail::run<double>("project", kEvery, {degree, n, {directions, weight}, plain(sum)}, 2, 10, {0, 0});
 }
 
-void rotate(int degree, std::size_t n, Records<const float> r, Records<const float> c, Records<float> out) {
+const detail::SingleKernels<float>* const detail::rotate_float[] = SH_BATCH_EVERY(rotate_float);
+
+void detail::run_rotate(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(rotate);
-  detail::run<float>("rotate", kEvery, {degree, n, {r, c}, out}, 2, 10, {1, 0}, {2 | detail::kOutput, false});
+  detail::run<float>("rotate", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {1, 0}, {2 | detail::kOutput, false});
 }
 
-void rotate(int degree, std::size_t n, Records<const double> r, Records<const double> c, Records<double> out) {
+const detail::SingleKernels<double>* const detail::rotate_double[] = SH_BATCH_EVERY(rotate_double);
+
+void detail::run_rotate(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(rotate);
-  detail::run<double>("rotate", kEvery, {degree, n, {r, c}, out}, 2, 10, {1, 0}, {2 | detail::kOutput, false});
+  detail::run<double>("rotate", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {1, 0}, {2 | detail::kOutput, false});
 }
 
-void product(int degree, std::size_t n, Records<const float> a, Records<const float> b, Records<float> out) {
+const detail::SingleKernels<float>* const detail::product_float[] = SH_BATCH_EVERY(product_float);
+
+void detail::run_product(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(product);
-  detail::run<float>("product", kEvery, {degree, n, {a, b}, out}, 2, 6, {1, 0}, {1 | 2 | detail::kOutput, false});
+  detail::run<float>("product", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 6, {1, 0}, {1 | 2 | detail::kOutput, false});
 }
 
-void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out) {
+const detail::SingleKernels<double>* const detail::product_double[] = SH_BATCH_EVERY(product_double);
+
+void detail::run_product(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(product);
-  detail::run<double>("product", kEvery, {degree, n, {a, b}, out}, 2, 6, {1, 0}, {1 | 2 | detail::kOutput, false});
+  detail::run<double>("product", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 6, {1, 0}, {1 | 2 | detail::kOutput, false});
 }
 
 void transfer_apply(int degree, std::size_t n, Records<const float> visibility, const float* samples, Records<float> out) {

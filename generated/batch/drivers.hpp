@@ -63,6 +63,14 @@ extern const DirectKernels<float>* const evaluate_rgb_float[];
 void run_evaluate_rgb(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
 extern const DirectKernels<double>* const evaluate_rgb_double[];
 void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
+extern const SingleKernels<float>* const rotate_float[];
+void run_rotate(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
+extern const SingleKernels<double>* const rotate_double[];
+void run_rotate(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
+extern const SingleKernels<float>* const product_float[];
+void run_product(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
+extern const SingleKernels<double>* const product_double[];
+void run_product(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
 }  // namespace detail
 
 /// Values of the real spherical harmonics.
@@ -152,15 +160,27 @@ void project(int degree, std::size_t n, Records<const double> directions, Record
 /// Coefficients of rotated functions, by rotation matrices.
 /// degree 0 to 10; r (9), c (bands^2), out (bands^2).
 /// Domain: r, row by row, is a rotation: r r^T = 1, det r = 1.
-void rotate(int degree, std::size_t n, Records<const float> r, Records<const float> c, Records<float> out);
-void rotate(int degree, std::size_t n, Records<const double> r, Records<const double> c, Records<double> out);
+[[gnu::always_inline]] inline void rotate(int degree, std::size_t n, Records<const float> r, Records<const float> c, Records<float> out) {
+  if (!detail::are_given(out, r, c)) return detail::run_any<float>(detail::run_rotate, degree, n, out, r, c);
+  detail::run_single<float>(detail::rotate_float, detail::run_rotate, degree, 10, n, out, r, c);
+}
+[[gnu::always_inline]] inline void rotate(int degree, std::size_t n, Records<const double> r, Records<const double> c, Records<double> out) {
+  if (!detail::are_given(out, r, c)) return detail::run_any<double>(detail::run_rotate, degree, n, out, r, c);
+  detail::run_single<double>(detail::rotate_double, detail::run_rotate, degree, 10, n, out, r, c);
+}
 
 /// Products of two functions, projected on the same bands.
 /// degree 0 to 6; a (bands^2), b (bands^2), out (bands^2).
 /// Domain: any coefficients.
 /// Single calls go on to degree 10: sh::product<10>.
-void product(int degree, std::size_t n, Records<const float> a, Records<const float> b, Records<float> out);
-void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out);
+[[gnu::always_inline]] inline void product(int degree, std::size_t n, Records<const float> a, Records<const float> b, Records<float> out) {
+  if (!detail::are_given(out, a, b)) return detail::run_any<float>(detail::run_product, degree, n, out, a, b);
+  detail::run_single<float>(detail::product_float, detail::run_product, degree, 6, n, out, a, b);
+}
+[[gnu::always_inline]] inline void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out) {
+  if (!detail::are_given(out, a, b)) return detail::run_any<double>(detail::run_product, degree, n, out, a, b);
+  detail::run_single<double>(detail::product_double, detail::run_product, degree, 6, n, out, a, b);
+}
 
 /// Transferred radiance of visibility under a prepared light.
 /// degree 0 to 6; visibility ((2 degree + 1)^2), samples (8 degree^2 + 4, at degree 0 one a channel), out (bands^2).

@@ -7,6 +7,7 @@
 #include "generated/cpp/basis_gradient.hpp"
 #include "generated/cpp/evaluate.hpp"
 #include "generated/cpp/evaluate_rgb.hpp"
+#include "generated/cpp/product.hpp"
 #include "generated/cpp/rotate.hpp"
 #include "tests/bench/harness.hpp"
 
@@ -82,6 +83,34 @@ void families(Table& table, std::size_t n) {
       each([out, c](std::size_t i, const T* d) { out[i] = sh::evaluate<Degree>(c + i * kSize, d[0], d[1], d[2]); }));
 }
 
+// Functions that one matrix turns, and products.
+template <int Degree>
+void functions(Table& table, std::size_t n) {
+  constexpr std::size_t kSize = (Degree + 1) * (Degree + 1);
+  const Records<float> records(n, kSize);
+  const std::vector<float> r = random_rotations(1);
+  const std::vector<float> factors = random_vectors(n, kSize);
+  const float* const c = records.coefficients.data();
+  float* const out = records.out.get();
+  compare<float>(
+      table, "rotate", Degree, records,
+      [&] { batch::rotate(Degree, n, batch::shared(r.data()), batch::plain(c), batch::plain(out)); },
+      [&] {
+        for (std::size_t i = 0; i < n; ++i) sh::rotate<Degree>(r.data(), c + i * kSize, out + i * kSize);
+        keep(*out);
+      });
+  if constexpr (Degree <= 6) {  // the driver's largest
+    const float* const a = factors.data();
+    compare<float>(
+        table, "product", Degree, records,
+        [&] { batch::product(Degree, n, batch::plain(a), batch::plain(c), batch::plain(out)); },
+        [&] {
+          for (std::size_t i = 0; i < n; ++i) sh::product<Degree>(a + i * kSize, c + i * kSize, out + i * kSize);
+          keep(*out);
+        });
+  }
+}
+
 // Colors, coefficient by coefficient; the loops take them apart for the header's kernels.
 template <int Degree>
 void colors(Table& table, std::size_t n) {
@@ -103,7 +132,6 @@ void colors(Table& table, std::size_t n) {
         }
         keep(*out);
       });
-  if (n < 1024) return;
   const std::vector<float> r = random_rotations(1);
   compare<float>(
       table, "rotate", Degree, records,
@@ -133,6 +161,7 @@ void plain(Table& table) {
       if (kDegree > 4 && kDegree % 2 == 1) return;
       families<kDegree, float>(table, n);
       families<kDegree, double>(table, n);
+      functions<kDegree>(table, n);
     });
   }
   for (const std::size_t n : {std::size_t{1}, std::size_t{3}, std::size_t{7}, std::size_t{17}, std::size_t{1024}}) {

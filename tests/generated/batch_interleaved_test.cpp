@@ -51,28 +51,6 @@ std::vector<T> random_values(std::size_t count, std::mt19937& random) {
   return result;
 }
 
-// Rows of rotations about axes.
-template <class T>
-std::vector<T> random_rotations(std::size_t n, std::mt19937& random) {
-  std::uniform_real_distribution<double> angle(0, 6.28);
-  std::vector<T> r;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double a = angle(random);
-    const double b = angle(random);
-    const double m[9] = {std::cos(a),
-                         -std::sin(a) * std::cos(b),
-                         std::sin(a) * std::sin(b),
-                         std::sin(a),
-                         std::cos(a) * std::cos(b),
-                         -std::cos(a) * std::sin(b),
-                         0,
-                         std::sin(b),
-                         std::cos(b)};
-    for (const double value : m) r.push_back(static_cast<T>(value));
-  }
-  return r;
-}
-
 template <class T>
 std::vector<T> copy_of(const FencedArray<T>& values) {
   return {values.begin(), values.end()};

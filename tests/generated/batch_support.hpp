@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -141,6 +142,28 @@ class Array {
   std::vector<T> memory_;
   T* first_ = nullptr;
 };
+
+/// n rotation matrices, row by row: a turn about x, then one about z.
+template <class T>
+std::vector<T> random_rotations(std::size_t n, std::mt19937& random) {
+  std::uniform_real_distribution<double> angle(0, 6.28);
+  std::vector<T> r;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = angle(random);
+    const double b = angle(random);
+    const double m[9] = {std::cos(a),
+                         -std::sin(a) * std::cos(b),
+                         std::sin(a) * std::sin(b),
+                         std::sin(a),
+                         std::cos(a) * std::cos(b),
+                         -std::cos(a) * std::sin(b),
+                         0,
+                         std::sin(b),
+                         std::cos(b)};
+    for (const double value : m) r.push_back(static_cast<T>(value));
+  }
+  return r;
+}
 
 /// A driver at one degree, beside the kernel that it runs.
 template <class T>

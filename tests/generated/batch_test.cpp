@@ -155,6 +155,9 @@ TYPED_TEST(BatchDrivers, GiveTheSameBitsInSmallCallsAtEveryDegree) {
   }
   const FencedArray<T> c(3 * coefficient_count(10) * n);
   for (T& value : c) value = uniform(random);
+  const FencedArray<T> rotations(9 * n);
+  const auto turns = random_rotations<T>(n, random);
+  std::copy(turns.begin(), turns.end(), rotations.begin());
   for (int degree = 0; degree <= 10; ++degree) {
     const auto size = static_cast<std::size_t>(coefficient_count(degree));
     const std::string at = " of degree " + std::to_string(degree);
@@ -175,6 +178,18 @@ TYPED_TEST(BatchDrivers, GiveTheSameBitsInSmallCallsAtEveryDegree) {
       expect_same_in_small_calls<T>(n, 3, "evaluate_rgb" + at, [&](std::size_t count, std::size_t i, T* out) {
         batch::evaluate_rgb(degree, count, coefficients(i, 3), directions(i), batch::plain(out));
       });
+      for (const bool is_shared : {false, true}) {
+        expect_same_in_small_calls<T>(n, size, "rotate" + at, [&](std::size_t count, std::size_t i, T* out) {
+          const Records<const T> r =
+              is_shared ? batch::shared(rotations.data()) : batch::plain(rotations.data() + 9 * i);
+          batch::rotate(degree, count, r, coefficients(i, 1), batch::plain(out));
+        });
+        if (degree > 6) continue;
+        expect_same_in_small_calls<T>(n, size, "product" + at, [&](std::size_t count, std::size_t i, T* out) {
+          const Records<const T> a = is_shared ? batch::shared(c.data()) : batch::plain(c.data() + size * i);
+          batch::product(degree, count, a, coefficients(i, 1), batch::plain(out));
+        });
+      }
     });
   }
 }

@@ -63,7 +63,7 @@ class InstructionCounts : public testing::Test {
                                 "' '" SHFORGE_BIN_DIR "/instruction_probe' >/dev/null 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
     for (const auto& entry : fs::directory_iterator(folder.path())) add_dump(entry.path(), counts());
-    ASSERT_GE(counts().size(), 2U * 2 * 11 * 4);
+    ASSERT_GE(counts().size(), 3U * 2 * 11 * 4);
     for (const auto& [of, count] : counts()) ASSERT_TRUE(count.batch > 0 && count.loop > 0) << of;
 #endif
   }

@@ -10,6 +10,7 @@
 #include "generated/batch/batch.hpp"
 #include "generated/cpp/basis.hpp"
 #include "generated/cpp/basis_gradient.hpp"
+#include "generated/cpp/rotate.hpp"
 
 namespace sh::test {
 namespace {
@@ -39,12 +40,20 @@ template <int Degree, class T>
 }
 
 template <int Degree, class T>
+[[gnu::noinline]] void rotate_loop(std::size_t n, const T* r, const T* c, T* out) {
+  constexpr std::size_t kSize = (Degree + 1) * (Degree + 1);
+  for (std::size_t i = 0; i < n; ++i) sh::rotate<Degree>(r, c + i * kSize, out + i * kSize);
+}
+
+template <int Degree, class T>
 void measure_degree(const std::string& scalar) {
   constexpr std::size_t kSize = (Degree + 1) * (Degree + 1);
   constexpr std::size_t kMost = 320;
   std::vector<T> d(3 * kMost);
   for (std::size_t i = 0; i < kMost; ++i) d[3 * i + i % 3] = T(1);
   std::vector<T> out(4 * kSize * kMost);
+  const std::vector<T> c(kSize * kMost, T(1));
+  constexpr T kTurn[] = {T(.36), T(.48), T(-.8), T(-.8), T(.6), T(0), T(.48), T(.64), T(.6)};
   for (const std::size_t n : {std::size_t{1}, std::size_t{2}, std::size_t{17}, kMost}) {
     const std::string name = scalar + " " + std::to_string(Degree) + " " + std::to_string(n) + " ";
     measure("basis " + name + "batch",
@@ -53,6 +62,11 @@ void measure_degree(const std::string& scalar) {
     measure("basis_gradient " + name + "batch",
             [&] { batch::basis_gradient(Degree, n, batch::plain<const T>(d.data()), batch::plain(out.data())); });
     measure("basis_gradient " + name + "loop", [&] { gradient_loop<Degree>(n, d.data(), out.data()); });
+    measure("rotate " + name + "batch", [&] {
+      batch::rotate(Degree, n, batch::shared<const T>(kTurn), batch::plain<const T>(c.data()),
+                    batch::plain(out.data()));
+    });
+    measure("rotate " + name + "loop", [&] { rotate_loop<Degree, T>(n, kTurn, c.data(), out.data()); });
   }
 }
 
