@@ -72,8 +72,9 @@ struct BatchDriver {
   bool scalar_products = false;  ///< true: of rows with input 1, in loops (multiply_blocks, multiply_records)
   bool groups =
       false;  ///< true: plain records go through registers in groups (runtime/groups.hpp); for kernels of + - *
-  int single =
-      0;  ///< the most records that 16 lanes compute slower than the kernel one by one, as measured; 0: not compiled
+  /// By degree, the last one for all further: the most records that 16 lanes compute slower than the kernel one by one, as
+  /// measured. Empty: there is no such loop.
+  std::vector<int> single = {};
   int largest = 10;  ///< the largest degree; beyond it a driver does not justify its compile time
 };
 

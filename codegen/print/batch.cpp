@@ -55,7 +55,7 @@ std::string size_in_code(int size, int degree) {
   return size % count == 0 ? "{" + std::to_string(size / count) + ", 0}" : "{0, " + std::to_string(size) + "}";
 }
 
-bool has_table(const Driver& driver) { return driver.spec.groups || driver.spec.single > 0; }
+bool has_table(const Driver& driver) { return driver.spec.groups || !driver.spec.single.empty(); }
 bool is_direct(const Driver& driver, const Overload& types) { return has_table(driver) && types.first != "Half"; }
 
 // "SingleKernels<float>": what its table holds by degree.

@@ -214,6 +214,11 @@ void blocks(const T* a, const T* b, std::size_t count, T* to) {
        {"call", call_of(kernel)}});
 }
 
+int most_single(const Driver& driver, int degree) {
+  const std::vector<int>& single = driver.spec.single;
+  return single[std::min(static_cast<std::size_t>(degree), single.size() - 1)];
+}
+
 // Kernels of one record after the other, and of the channels of interleaved records.
 std::string single_kernels(const Kernel& kernel) {
   const RecordSignature s = signature_of(kernel);
@@ -280,7 +285,7 @@ std::string single_table(const Driver& driver, const std::string& scalar) {
     text += filled("    {few<$degree, $t>, single_plain_records<$t>($single, $values)},\n",
                    {{"degree", std::to_string(finished.kernel.degree)},
                     {"t", scalar},
-                    {"single", std::to_string(driver.spec.single)},
+                    {"single", std::to_string(most_single(driver, finished.kernel.degree))},
                     {"values", std::to_string(values)}});
   }
   return text + "};\n";
@@ -323,9 +328,9 @@ std::string plan_row(const Driver& driver, std::size_t i) {
   if (!records.empty()) shared += ", " + records;
   if (driver.spec.groups) shared = ", -1, nullptr, nullptr, records" + at_degree + ", T>";
   if (driver.spec.groups && has_colors(driver.last())) shared += ", interleaved" + at_degree + ", T>";
-  if (driver.spec.single > 0) {
+  if (!driver.spec.single.empty()) {
     shared = ", -1, nullptr, nullptr, nullptr, nullptr, one_by_one" + at_degree + ", T>, single_records<T>(" +
-             std::to_string(driver.spec.single) + ")";
+             std::to_string(most_single(driver, kernel.degree)) + ")";
     if (kernel.degree == kTurnsColors && turns_colors(kernel)) shared += ", colors" + at_degree + ", T>()";
   }
   return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish$shared},\n",
@@ -390,7 +395,7 @@ std::string kernels_file(const Driver& driver) {
     if (further != nullptr) includes += "#include \"../cpp/" + further->back().kernel.family + ".hpp\"\n";
   }
   includes += "#include \"drive.hpp\"\n";
-  if (driver.spec.groups || driver.spec.single > 0) includes += "#include \"groups.hpp\"\n";
+  if (driver.spec.groups || !driver.spec.single.empty()) includes += "#include \"groups.hpp\"\n";
   if (driver.spec.rings) includes += "#include \"transfer_rings.hpp\"\n";
   if (driver.prepares() || driver.adds_parts()) includes += "#include \"once.hpp\"\n";
   const bool rings = driver.spec.rings;
@@ -400,7 +405,7 @@ std::string kernels_file(const Driver& driver) {
   if (driver.adds_parts()) kernels += block_kernel("parts", driver.parts->back().kernel);
   if (driver.prepares()) kernels += block_kernel("kernel_prepared", driver.prepared->back().kernel, Loop::kFixed);
   if (driver.spec.groups) kernels += record_kernels(driver.last());
-  if (driver.spec.single > 0) kernels += single_kernels(driver.last());
+  if (!driver.spec.single.empty()) kernels += single_kernels(driver.last());
   if (driver.spec.half && !driver.spec.scalar_products) {
     kernels +=
         "#if defined(SH_BATCH_CONVERTS_HALVES)\n" + block_kernel("kernel_half", driver.last(), Loop::kHalf, rings);
@@ -412,7 +417,7 @@ std::string kernels_file(const Driver& driver) {
   for (std::size_t i = 0; i < driver.kernels.size(); ++i) plans += plan_row(driver, i);
   for (const char* scalar : {"float", "double"}) {
     if (driver.spec.groups) tables += direct_table(driver, scalar);
-    if (driver.spec.single > 0) tables += single_table(driver, scalar);
+    if (!driver.spec.single.empty()) tables += single_table(driver, scalar);
   }
   return filled(
       R"(// sh::batch::$name on the instruction set SH_BATCH_ISA.

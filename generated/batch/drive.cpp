@@ -45,48 +45,82 @@ bool are_in_rows(const detail::Call<T>& call, const Plan<T>& plan) {
   return rows;
 }
 
-// Where value k of record i of a channel stands in an array of records of so many values.
+// The most records that are faster one after the other; copies to rows take as long as their kernels.
 template <class T>
-std::size_t place_of(Layout layout, std::size_t size, std::size_t i, std::size_t k, std::size_t channel) {
-  if (layout == Layout::kInterleaved) return (i * size + k) * 3 + channel;
-  if (layout == Layout::kBlocked) return (i / kBlock<T> * size + k) * kBlock<T> + i % kBlock<T>;
-  return i * size + k;
+std::size_t most_single(const detail::Call<T>& call, const Plan<T>& plan) {
+  return are_in_rows(call, plan) ? plan.most_single : plan.most_single / 2;
 }
 
-// `count` records from `first` on, one after the other: where they stand, or copied to a row, a few at a time.
+// Where the values of record i of a channel stand in an array of records of `size` values: the first, and from one to the next.
+struct Places {
+  std::size_t first;
+  std::size_t step;
+};
+template <class T>
+Places places_of(Layout layout, std::size_t size, std::size_t i, std::size_t channel) {
+  if (layout == Layout::kInterleaved) return {i * size * 3 + channel, 3};
+  if (layout == Layout::kBlocked) return {i / kBlock<T> * size * kBlock<T> + i % kBlock<T>, kBlock<T>};
+  return {i * size, 1};
+}
+
+// Copies a channel of record i to a row, or back; both ways return what follows the row.
+template <class T>
+T* copy_to_row(const Records<const T>& in, std::size_t size, std::size_t i, std::size_t channel, T* row) {
+  const Places at = places_of<T>(in.layout, size, i, channel);
+  const T* from = in.data + at.first;
+  for (std::size_t k = 0; k < size; ++k) *row++ = from[k * at.step];
+  return row;
+}
+template <class T>
+const T* copy_from_row(const T* row, const Records<T>& out, std::size_t size, std::size_t i, std::size_t channel) {
+  const Places at = places_of<T>(out.layout, size, i, channel);
+  T* to = out.data + at.first;
+  for (std::size_t k = 0; k < size; ++k) to[k * at.step] = *row++;
+  return row;
+}
+
+// `count` records from `first` on, one after the other, that lie in rows.
+template <class T>
+void run_rows(const detail::Call<T>& call, const Plan<T>& plan, std::size_t first, std::size_t count) {
+  Blocks<T> records;
+  records.count = count;
+  for (int j = 0; j < plan.inputs; ++j) {
+    records.step[j] = call.in[j].layout == Layout::kShared ? 0 : plan.in[j];
+    records.in[j] = call.in[j].data + first * records.step[j];
+  }
+  records.out = call.out.data + first * plan.out;
+  records.out_step = plan.out;
+  plan.kernel_single(records);
+}
+
+// `count` records from `first` on, one after the other; in other layouts their channels are copied to rows, a few at a time.
 template <class T>
 void run_singly(const detail::Call<T>& call, const Plan<T>& plan, std::size_t first, std::size_t count) {
-  constexpr std::size_t kRoom = 1024;  // values; no kernel takes and gives more for one record
+  if (are_in_rows(call, plan)) return run_rows(call, plan, first, count);
+  constexpr std::size_t kRoom = 1024;  // values; no kernel takes and gives more for three channels of one record
   T room[kRoom];
   std::size_t values = plan.out;
   for (int j = 0; j < plan.inputs; ++j) values += plan.in[j];
-  const std::size_t chunk = are_in_rows(call, plan) ? count : kRoom / values;
-  for (std::size_t end = first + count; first < end; first += chunk) {
+  const std::size_t chunk = kRoom / (values * call.channels);
+  for (const std::size_t end = first + count; first < end; first += chunk) {
+    const std::size_t last = end - first < chunk ? end : first + chunk;
+    T* free = room;
     Blocks<T> records;
-    records.count = chunk < end - first ? chunk : end - first;
-    for (std::size_t channel = 0; channel < call.channels; ++channel) {
-      T* free = room;
-      for (int j = 0; j < plan.inputs; ++j) {
-        const Records<const T>& in = call.in[j];
-        const std::size_t size = plan.in[j];
-        records.step[j] = in.layout == Layout::kShared ? 0 : size;
-        records.in[j] = in.data + first * records.step[j];
-        if (in.layout == Layout::kShared || in.layout == Layout::kPlain) continue;
-        records.in[j] = free;
-        for (std::size_t i = 0; i < records.count; ++i) {
-          for (std::size_t k = 0; k < size; ++k) *free++ = in.data[place_of<T>(in.layout, size, first + i, k, channel)];
-        }
+    records.count = (last - first) * call.channels;
+    for (int j = 0; j < plan.inputs; ++j) {
+      const bool is_shared = call.in[j].layout == Layout::kShared;
+      records.in[j] = is_shared ? call.in[j].data : free;
+      records.step[j] = is_shared ? 0 : plan.in[j];
+      for (std::size_t i = first; !is_shared && i < last; ++i) {
+        for (std::size_t c = 0; c < call.channels; ++c) free = copy_to_row(call.in[j], plan.in[j], i, c, free);
       }
-      const bool copies = call.out.layout != Layout::kPlain;
-      records.out = copies ? free : call.out.data + first * plan.out;
-      records.out_step = plan.out;
-      plan.kernel_single(records);
-      if (!copies) continue;
-      for (std::size_t i = 0; i < records.count; ++i) {
-        for (std::size_t k = 0; k < plan.out; ++k) {
-          call.out.data[place_of<T>(call.out.layout, plan.out, first + i, k, channel)] = *free++;
-        }
-      }
+    }
+    records.out = free;
+    records.out_step = plan.out;
+    plan.kernel_single(records);
+    const T* row = free;
+    for (std::size_t i = first; i < last; ++i) {
+      for (std::size_t c = 0; c < call.channels; ++c) row = copy_from_row(row, call.out, plan.out, i, c);
     }
   }
 }
@@ -115,7 +149,7 @@ class Driver {
   // The records after the last whole block. A block that ends with the last record is faster than part of a block; it
   // computes some records twice, from inputs that must still be there.
   void finish(std::size_t whole, std::size_t rest) {
-    if (rest <= plan_.most_single) return run_singly(call_, plan_, whole * kBlock<T>, rest);
+    if (rest <= most_single(call_, plan_)) return run_singly(call_, plan_, whole * kBlock<T>, rest);
     for (int j = 0; j < plan_.inputs; ++j) direct_in_[j] = direct_in_[j] && call_.in[j].layout == Layout::kShared;
     direct_out_ = false;
     if (whole > 0 && may_overlap()) return step(call_.n - kBlock<T>, 1, kBlock<T>);
@@ -372,7 +406,7 @@ detail::RecordKernel<T> record_kernel(const detail::Call<T>& call, const Plan<T>
 template <class T>
 bool are_single(const detail::Call<T>& call, const Plan<T>& plan) {
   if (plan.kernel_single == nullptr || call.half != nullptr || call.stream) return false;
-  return call.n <= plan.most_single || (plan.in[0] + plan.in[1] + plan.out <= kShort && are_in_rows(call, plan));
+  return call.n <= most_single(call, plan) || (plan.in[0] + plan.in[1] + plan.out <= kShort && are_in_rows(call, plan));
 }
 
 // Whether channels of interleaved records go through registers together.

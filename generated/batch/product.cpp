@@ -34,13 +34,13 @@ void few(const T* a, bool is_shared, const T* b, std::size_t n, T* to) {
 template <class T>
 void product(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {1, 1}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<0, T>, single_records<T>(2)},
-      {2, {4, 4}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<1, T>, single_records<T>(2)},
-      {2, {9, 9}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<2, T>, single_records<T>(2)},
-      {2, {16, 16}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<3, T>, single_records<T>(2)},
-      {2, {25, 25}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<4, T>, single_records<T>(2)},
-      {2, {36, 36}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<5, T>, single_records<T>(2)},
-      {2, {49, 49}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<6, T>, single_records<T>(2)},
+      {2, {1, 1}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<0, T>, single_records<T>(10)},
+      {2, {4, 4}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<1, T>, single_records<T>(10)},
+      {2, {9, 9}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<2, T>, single_records<T>(10)},
+      {2, {16, 16}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<3, T>, single_records<T>(7)},
+      {2, {25, 25}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<4, T>, single_records<T>(4)},
+      {2, {36, 36}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<5, T>, single_records<T>(3)},
+      {2, {49, 49}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<6, T>, single_records<T>(3)},
   };
   drive(call, kPlans[call.degree]);
 }
@@ -49,23 +49,23 @@ template void product(const detail::Call<double>&);
 
 extern const detail::SingleKernels<float> product_float[];
 const detail::SingleKernels<float> product_float[] = {
-    {few<0, float>, single_plain_records<float>(2, 3)},
-    {few<1, float>, single_plain_records<float>(2, 12)},
-    {few<2, float>, single_plain_records<float>(2, 27)},
-    {few<3, float>, single_plain_records<float>(2, 48)},
-    {few<4, float>, single_plain_records<float>(2, 75)},
-    {few<5, float>, single_plain_records<float>(2, 108)},
-    {few<6, float>, single_plain_records<float>(2, 147)},
+    {few<0, float>, single_plain_records<float>(10, 3)},
+    {few<1, float>, single_plain_records<float>(10, 12)},
+    {few<2, float>, single_plain_records<float>(10, 27)},
+    {few<3, float>, single_plain_records<float>(7, 48)},
+    {few<4, float>, single_plain_records<float>(4, 75)},
+    {few<5, float>, single_plain_records<float>(3, 108)},
+    {few<6, float>, single_plain_records<float>(3, 147)},
 };
 extern const detail::SingleKernels<double> product_double[];
 const detail::SingleKernels<double> product_double[] = {
-    {few<0, double>, single_plain_records<double>(2, 3)},
-    {few<1, double>, single_plain_records<double>(2, 12)},
-    {few<2, double>, single_plain_records<double>(2, 27)},
-    {few<3, double>, single_plain_records<double>(2, 48)},
-    {few<4, double>, single_plain_records<double>(2, 75)},
-    {few<5, double>, single_plain_records<double>(2, 108)},
-    {few<6, double>, single_plain_records<double>(2, 147)},
+    {few<0, double>, single_plain_records<double>(10, 3)},
+    {few<1, double>, single_plain_records<double>(10, 12)},
+    {few<2, double>, single_plain_records<double>(10, 27)},
+    {few<3, double>, single_plain_records<double>(7, 48)},
+    {few<4, double>, single_plain_records<double>(4, 75)},
+    {few<5, double>, single_plain_records<double>(3, 108)},
+    {few<6, double>, single_plain_records<double>(3, 147)},
 };
 
 }  // namespace sh::batch::SH_BATCH_ISA

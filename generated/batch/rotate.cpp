@@ -47,17 +47,17 @@ constexpr detail::RecordKernel<T> colors() {
 template <class T>
 void rotate(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {9, 1}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<0, T>, single_records<T>(7)},
-      {2, {9, 4}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<1, T>, single_records<T>(7), colors<1, T>()},
-      {2, {9, 9}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<2, T>, single_records<T>(7)},
-      {2, {9, 16}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<3, T>, single_records<T>(7)},
-      {2, {9, 25}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<4, T>, single_records<T>(7)},
-      {2, {9, 36}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<5, T>, single_records<T>(7)},
-      {2, {9, 49}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<6, T>, single_records<T>(7)},
-      {2, {9, 64}, 64, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<7, T>, single_records<T>(7)},
-      {2, {9, 81}, 81, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<8, T>, single_records<T>(7)},
-      {2, {9, 100}, 100, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<9, T>, single_records<T>(7)},
-      {2, {9, 121}, 121, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<10, T>, single_records<T>(7)},
+      {2, {9, 1}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<0, T>, single_records<T>(10)},
+      {2, {9, 4}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<1, T>, single_records<T>(10), colors<1, T>()},
+      {2, {9, 9}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<2, T>, single_records<T>(10)},
+      {2, {9, 16}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<3, T>, single_records<T>(10)},
+      {2, {9, 25}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<4, T>, single_records<T>(10)},
+      {2, {9, 36}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<5, T>, single_records<T>(8)},
+      {2, {9, 49}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<6, T>, single_records<T>(8)},
+      {2, {9, 64}, 64, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<7, T>, single_records<T>(8)},
+      {2, {9, 81}, 81, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<8, T>, single_records<T>(8)},
+      {2, {9, 100}, 100, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<9, T>, single_records<T>(8)},
+      {2, {9, 121}, 121, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<10, T>, single_records<T>(8)},
   };
   drive(call, kPlans[call.degree]);
 }
@@ -66,31 +66,31 @@ template void rotate(const detail::Call<double>&);
 
 extern const detail::SingleKernels<float> rotate_float[];
 const detail::SingleKernels<float> rotate_float[] = {
-    {few<0, float>, single_plain_records<float>(7, 11)},
-    {few<1, float>, single_plain_records<float>(7, 17)},
-    {few<2, float>, single_plain_records<float>(7, 27)},
-    {few<3, float>, single_plain_records<float>(7, 41)},
-    {few<4, float>, single_plain_records<float>(7, 59)},
-    {few<5, float>, single_plain_records<float>(7, 81)},
-    {few<6, float>, single_plain_records<float>(7, 107)},
-    {few<7, float>, single_plain_records<float>(7, 137)},
-    {few<8, float>, single_plain_records<float>(7, 171)},
-    {few<9, float>, single_plain_records<float>(7, 209)},
-    {few<10, float>, single_plain_records<float>(7, 251)},
+    {few<0, float>, single_plain_records<float>(10, 11)},
+    {few<1, float>, single_plain_records<float>(10, 17)},
+    {few<2, float>, single_plain_records<float>(10, 27)},
+    {few<3, float>, single_plain_records<float>(10, 41)},
+    {few<4, float>, single_plain_records<float>(10, 59)},
+    {few<5, float>, single_plain_records<float>(8, 81)},
+    {few<6, float>, single_plain_records<float>(8, 107)},
+    {few<7, float>, single_plain_records<float>(8, 137)},
+    {few<8, float>, single_plain_records<float>(8, 171)},
+    {few<9, float>, single_plain_records<float>(8, 209)},
+    {few<10, float>, single_plain_records<float>(8, 251)},
 };
 extern const detail::SingleKernels<double> rotate_double[];
 const detail::SingleKernels<double> rotate_double[] = {
-    {few<0, double>, single_plain_records<double>(7, 11)},
-    {few<1, double>, single_plain_records<double>(7, 17)},
-    {few<2, double>, single_plain_records<double>(7, 27)},
-    {few<3, double>, single_plain_records<double>(7, 41)},
-    {few<4, double>, single_plain_records<double>(7, 59)},
-    {few<5, double>, single_plain_records<double>(7, 81)},
-    {few<6, double>, single_plain_records<double>(7, 107)},
-    {few<7, double>, single_plain_records<double>(7, 137)},
-    {few<8, double>, single_plain_records<double>(7, 171)},
-    {few<9, double>, single_plain_records<double>(7, 209)},
-    {few<10, double>, single_plain_records<double>(7, 251)},
+    {few<0, double>, single_plain_records<double>(10, 11)},
+    {few<1, double>, single_plain_records<double>(10, 17)},
+    {few<2, double>, single_plain_records<double>(10, 27)},
+    {few<3, double>, single_plain_records<double>(10, 41)},
+    {few<4, double>, single_plain_records<double>(10, 59)},
+    {few<5, double>, single_plain_records<double>(8, 81)},
+    {few<6, double>, single_plain_records<double>(8, 107)},
+    {few<7, double>, single_plain_records<double>(8, 137)},
+    {few<8, double>, single_plain_records<double>(8, 171)},
+    {few<9, double>, single_plain_records<double>(8, 209)},
+    {few<10, double>, single_plain_records<double>(8, 251)},
 };
 
 }  // namespace sh::batch::SH_BATCH_ISA
