@@ -226,7 +226,7 @@ std::vector<Family> rotation_families() {
        .reference = rotate_reference,
        .domain = {.inputs = kTurnedVectors, .unit = "|c|", .test_inputs = rotate_inputs, .sizes = {"|c|"}},
        .batch = BatchDriver{.what = "Coefficients of rotated functions, by rotation matrices",
-                            .single = {10, 10, 10, 10, 10, 8}}},
+                            .single = {10, 10, 10, 10, 10, 8}, .grouped = 4}},
       {.name = "rotate_quaternion",
        .largest_emitted = kLargestDegree,
        .recipes = {{"zxz", recipes::rotate_quaternion_zxz, 2, kLargestDegree},

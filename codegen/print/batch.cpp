@@ -71,16 +71,25 @@ std::string any_signature(const Driver& driver, const std::string& scalar, const
                  {"b", signature_of(driver.last()).inputs.size() > 1 ? "b" : "/*b*/"}});
 }
 
-// The loops of a driver over plain records in the caller: at degrees that add nothing, so that every compiler rounds alike.
-std::string loop_in_caller(const Driver& driver) {
-  const Kernel& kernel = driver.last();
+// Whether the first input may be shared in a call that needs no driver.
+bool may_share(const Driver& driver) { return !driver.spec.single.empty(); }
+
+// The degrees at which a loop over plain records in the caller serves: those that add nothing, so that every compiler rounds
+// alike.
+std::span<const FinishedKernel> kernels_in_caller(const Driver& driver) {
+  return driver.kernels.first(has_table(driver) ? last_without_sums(driver) + 1 : 0);
+}
+
+std::string loop_in_caller(const Driver& driver, const Kernel& kernel) {
   const RecordSignature s = signature_of(kernel);
   std::string parameters, records;
   for (const Record& record : s.inputs) {
-    parameters += ", const T* " + record.name;
-    records += (records.empty() ? "" : ", ") + record.name + " + i * " + size_in_degree(record.size, kernel);
+    const bool may_be_one = may_share(driver) && records.empty();
+    const std::string size = std::to_string(record.size);
+    parameters += ", const T* " + record.name + (may_be_one ? ", bool is_shared" : "");
+    records += (records.empty() ? "" : ", ") + record.name + (may_be_one ? " + (is_shared ? 0 : i * " + size + ")" : " + i * " + size);
   }
-  return filled(R"(template <int Degree, class T>
+  return filled(R"(template <class T>
 [[gnu::always_inline]] inline void loop_$name(std::size_t n$parameters, T* to) {
   for_each_record(n, [=](std::size_t i) {
     const T* const in[] = {$records};
@@ -89,36 +98,48 @@ std::string loop_in_caller(const Driver& driver) {
   });
 }
 )",
-                {{"name", driver.name},
+                {{"name", kernel.name},
                  {"parameters", parameters},
                  {"records", records},
-                 {"size", size_in_degree(s.out_size, kernel)},
-                 {"call", call_of(kernel)}});
+                 {"size", std::to_string(s.out_size)},
+                 {"call", call_of(kernel, kernel.name, std::to_string(numeric::coefficient_count(kernel.degree)))}});
+}
+
+// The branches of a driver that call such loops.
+std::string branches_to_loops(const Driver& driver) {
+  const RecordSignature s = signature_of(driver.last());
+  std::string arrays, plain = s.out, rows;
+  for (const Record& record : s.inputs) {
+    const bool may_be_one = may_share(driver) && arrays.empty();
+    arrays += ", " + record.name + ".data";
+    if (may_be_one) arrays += ", " + record.name + ".layout == Layout::kShared";
+    (may_be_one ? rows : plain) += (may_be_one ? " && detail::is_in_rows(" + record.name + ")" : ", " + record.name);
+  }
+  std::string loops;
+  for (const FinishedKernel& finished : kernels_in_caller(driver)) {
+    loops += filled("    if (degree == $degree) return detail::loop_$name(n$arrays, $out.data);\n",
+                    {{"degree", std::to_string(finished.kernel.degree)},
+                     {"name", finished.kernel.name},
+                     {"arrays", arrays},
+                     {"out", s.out}});
+  }
+  if (loops.empty()) return {};
+  return filled("  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, $plain)$rows)) {\n$loops  }\n",
+                {{"plain", plain}, {"rows", rows}, {"loops", loops}});
 }
 
 // A driver whose calls need none where records are all plain or in whole blocks.
 std::string direct_function(const Driver& driver, const Overload& types) {
   const RecordSignature s = signature_of(driver.last());
-  std::string inputs, arrays, loops;
-  for (const Record& record : s.inputs) {
-    inputs += ", " + record.name;
-    arrays += ", " + record.name + ".data";
-  }
-  for (int degree = 0; driver.spec.groups && degree <= last_without_sums(driver); ++degree) {
-    loops += filled("    if (degree == $degree) return detail::loop_$name<$degree>(n$arrays, $out.data);\n",
-                    {{"degree", std::to_string(degree)}, {"name", driver.name}, {"arrays", arrays}, {"out", s.out}});
-  }
-  if (!loops.empty()) {
-    loops = filled("  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, $out$inputs))) {\n$loops  }\n",
-                   {{"out", s.out}, {"inputs", inputs}, {"loops", loops}});
-  }
+  std::string inputs;
+  for (const Record& record : s.inputs) inputs += ", " + record.name;
   return filled(R"([[gnu::always_inline]] inline $signature {
   if (!detail::are_given($out$inputs)) return detail::run_any<$t>(detail::run_$name, degree, n, $out$inputs);
 $loops  detail::$run<$t>(detail::$table, detail::run_$name, degree, $degree, n, $out$inputs);
 }
 )",
                 {{"signature", public_signature(driver, types)},
-                 {"loops", loops},
+                 {"loops", branches_to_loops(driver)},
                  {"run", driver.spec.groups ? "run_direct" : "run_single"},
                  {"t", types.scalar},
                  {"table", table_of_direct(driver, types.scalar)},
@@ -132,7 +153,7 @@ $loops  detail::$run<$t>(detail::$table, detail::run_$name, degree, $degree, n, 
 std::string direct_declarations(const std::vector<Driver>& drivers) {
   std::string text;
   for (const Driver& driver : drivers) {
-    if (driver.spec.groups) text += loop_in_caller(driver);
+    for (const FinishedKernel& finished : kernels_in_caller(driver)) text += loop_in_caller(driver, finished.kernel);
     for (const Overload& types : overloads(driver)) {
       if (!is_direct(driver, types)) continue;
       const std::string name = table_of_direct(driver, types.scalar);
@@ -177,7 +198,8 @@ std::string drivers_header(const std::vector<Driver>& drivers) {
   std::string declarations, includes;
   for (const Driver& driver : drivers) {
     declarations += declaration(driver);
-    if (driver.spec.groups) includes += "#include \"../cpp/" + driver.name + ".hpp\"\n";
+    for (const FinishedKernel& finished : kernels_in_caller(driver))
+      includes += "#include \"../cpp/" + finished.kernel.name + ".hpp\"\n";
   }
   return filled(R"(// Kernels over n records, for batch.hpp.
 //

@@ -49,8 +49,12 @@ bool are_coefficients(int size, const Kernel& kernel, int channels) {
 }
 
 std::string call_of(const Kernel& kernel) {
+  return call_of(kernel, kernel.family + "<Degree>", "(Degree + 1) * (Degree + 1)");
+}
+
+std::string call_of(const Kernel& kernel, const std::string& function, const std::string& count) {
   const RecordSignature s = signature_of(kernel);
-  std::string call = "sh::" + kernel.family + "<Degree>(";
+  std::string call = "sh::" + function + "(";
   for (const Record& record : s.inputs) {
     for (const std::string& a : record.arguments) call += (call.back() == '(' ? "" : ", ") + a;
   }
@@ -58,9 +62,7 @@ std::string call_of(const Kernel& kernel) {
   for (std::size_t i = 0; i < kernel.results.size(); ++i) {
     call += i == 0 ? ", out" : ", out + " + (i == 1 ? std::string() : std::to_string(i) + " * ") + "kCount";
   }
-  const std::string count =
-      kernel.results.size() > 1 ? "constexpr int kCount = (Degree + 1) * (Degree + 1);\n    " : "";
-  return count + call + ");";
+  return (kernel.results.size() > 1 ? "constexpr int kCount = " + count + ";\n    " : "") + call + ");";
 }
 
 int last_without_sums(const Driver& driver) {

@@ -42,6 +42,8 @@ bool are_coefficients(int size, const Kernel& kernel, int channels);
 
 /// "sh::rotate<Degree>(in[0], in[1], out);". Several results have bands^2 values each and follow each other.
 std::string call_of(const Kernel& kernel);
+/// The same of any function of sh; count: bands^2 in code.
+std::string call_of(const Kernel& kernel, const std::string& function, const std::string& count);
 
 /// The size of a record in terms of Degree, in code: "4 * ((Degree + 1) * (Degree + 1))".
 std::string size_in_degree(int size, const Kernel& kernel);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -136,17 +137,6 @@ $body}
 // Whether input 0 holds the coefficients of three channels.
 bool has_colors(const Kernel& kernel) { return are_coefficients(signature_of(kernel).inputs[0].size, kernel, 3); }
 
-constexpr std::string_view kInterleavedRecords = R"(
-template <int Degree, class T>
-void interleaved(const T* a, const T* b, std::size_t n, T* to) {
-  using Rows = ByChannelOf<(Degree + 1) * (Degree + 1)>;
-  run_records<T, one_by_one<Degree, T, Rows>, in_groups<Degree, T, Rows>, in_part<Degree, T, Rows>, $size$sizes>(a, b, n, to);
-}
-)";
-
-// The degree whose matrices are so short that channels are turned together. From degree 2 on kernels compare and divide.
-constexpr int kTurnsColors = 1;
-
 // Whether something that is no function, such as a matrix, maps coefficients to coefficients: often the same for many.
 bool turns_colors(const Kernel& kernel) {
   const RecordSignature s = signature_of(kernel);
@@ -154,21 +144,32 @@ bool turns_colors(const Kernel& kernel) {
          are_coefficients(s.inputs[1].size, kernel, 1) && are_coefficients(s.out_size, kernel, 1);
 }
 
-// Kernels of plain records, one by one and by groups, and what chooses between them; of whole blocks.
-std::string record_kernels(const Kernel& kernel) {
+// The places that the functions of records fill in.
+std::map<std::string, std::string> parts_of_records(const Kernel& kernel) {
   const RecordSignature s = signature_of(kernel);
-  std::string inputs, sizes, sum;
+  std::string inputs, further, sum;
   for (std::size_t j = 0; j < s.inputs.size(); ++j) {
     const std::string size = size_in_degree(s.inputs[j].size, kernel);
-    inputs += j == 0 ? "first.values()" : ", reinterpret_cast<const One<T>*>(b) + i * " + size;
-    sizes += ", " + size;
-    sum += (j == 0 ? "" : " + ") + size;
+    inputs += j == 0 ? "first.at(i)" : ", reinterpret_cast<const One<T>*>(b) + i * " + size;
+    if (j > 0) further += ", " + size;
+    if (j > 0) sum += " + " + size;
   }
-  return filled(
-      R"(template <int Degree, class T, class Rows = InOrder>
+  const std::string first = size_in_degree(s.inputs[0].size, kernel);
+  return {{"inputs", inputs},
+          {"first", first},
+          {"further", further},
+          {"in", "kStep<Rows, " + first + ">" + sum},
+          {"b", s.inputs.size() > 1 ? "b" : "/*b*/"},
+          {"size", size_in_degree(s.out_size, kernel)},
+          {"call", call_of(kernel)}};
+}
+
+// Kernels of records in rows, one by one and by groups, and the choice between them.
+std::string record_kernels(const Kernel& kernel) {
+  return filled(R"(template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* $b, std::size_t n, T* to) {
+  RecordInputs<$first, T, Rows> first(a);
   for (std::size_t i = 0; i < n; ++i) {
-    const RecordInputs<$first, T, Rows> first(a + i * $first);
     const One<T>* const in[] = {$inputs};
     RecordValues<$size, $in, T> record(to + i * $size);
     One<T>* const out = record.values();
@@ -179,39 +180,45 @@ std::string record_kernels(const Kernel& kernel) {
 
 template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten]] void in_groups(const T* a, const T* b, std::size_t count, T* to) {
-  for_every_group<T, Rows, $size$sizes>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+  for_every_group<T, Rows, $size, $first$further>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     $call
   });
 }
 
 template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten]] void in_part(const T* a, const T* b, std::size_t count, T* to) {
-  for_part_of_group<T, Rows, $size$sizes>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+  for_part_of_group<T, Rows, $size, $first$further>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     $call
   });
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 void records(const T* a, const T* b, std::size_t n, T* to) {
-  run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, in_part<Degree, T>, $size$sizes>(a, b, n, to);
-}
-$interleaved
-template <int Degree, class T>
-void blocks(const T* a, const T* b, std::size_t count, T* to) {
-  kernel<Degree>(whole_blocks<T, $size$sizes>(a, b, count, to));
+  run_records<T, Rows, one_by_one<Degree, T, Rows>, in_groups<Degree, T, Rows>, in_part<Degree, T, Rows>, $size, $first$further>(a, b, n, to);
 }
 
 )",
-      {{"interleaved", has_colors(kernel) ? filled(kInterleavedRecords,
-                                                   {{"size", size_in_degree(s.out_size, kernel)}, {"sizes", sizes}})
-                                          : ""},
-       {"inputs", inputs},
-       {"first", size_in_degree(s.inputs[0].size, kernel)},
-       {"sizes", sizes},
-       {"in", sum},
-       {"b", s.inputs.size() > 1 ? "b" : "/*b*/"},
-       {"size", size_in_degree(s.out_size, kernel)},
-       {"call", call_of(kernel)}});
+                parts_of_records(kernel));
+}
+
+// Kernels that need no driver, of interleaved records and of whole blocks.
+std::string direct_kernels(const Kernel& kernel) {
+  std::string text;
+  if (has_colors(kernel)) {
+    text = R"(template <int Degree, class T>
+void interleaved(const T* a, const T* b, std::size_t n, T* to) {
+  records<Degree, T, ByChannelOf<(Degree + 1) * (Degree + 1)>>(a, b, n, to);
+}
+
+)";
+  }
+  return text + filled(R"(template <int Degree, class T>
+void blocks(const T* a, const T* b, std::size_t count, T* to) {
+  kernel<Degree>(whole_blocks<T, $size, $first$further>(a, b, count, to));
+}
+
+)",
+                       parts_of_records(kernel));
 }
 
 int most_single(const Driver& driver, int degree) {
@@ -219,30 +226,28 @@ int most_single(const Driver& driver, int degree) {
   return single[std::min(static_cast<std::size_t>(degree), single.size() - 1)];
 }
 
-// Kernels of one record after the other, and of the channels of interleaved records.
-std::string single_kernels(const Kernel& kernel) {
-  const RecordSignature s = signature_of(kernel);
-  return filled(R"(template <int Degree, class T>
-[[gnu::flatten]] void one_by_one(const Blocks<T>& records) {
-  for_every_record<2>(records, [](const One<T>* const* in, One<T>* out) {
-    $call
-  });
-}
-
-template <int Degree, class T>
+// Kernels of few records, and of the channels of interleaved ones.
+std::string few_kernels(const Driver& driver) {
+  const Kernel& kernel = driver.last();
+  std::map<std::string, std::string> parts = parts_of_records(kernel);
+  parts["grouped"] = std::to_string(driver.spec.grouped);
+  const std::string text = filled(R"(template <int Degree, class T>
 void few(const T* a, bool is_shared, const T* b, std::size_t n, T* to) {
-  one_by_one<Degree>(single_blocks<T, $size, $a, $b>(a, is_shared, b, n, to));
+  if constexpr (Degree <= $grouped) {
+    if (is_shared) return records<Degree, T, Shared>(a, b, n, to);
+    records<Degree, T>(a, b, n, to);
+  } else {
+    const auto kernel = [](const One<T>* const* in, One<T>* out) __attribute__((noinline)) { $call };
+    for_every_record<$size, $first$further>(a, is_shared, b, n, to, kernel);
+  }
 }
 
 )",
-                {{"size", size_in_degree(s.out_size, kernel)},
-                 {"a", size_in_degree(s.inputs[0].size, kernel)},
-                 {"b", size_in_degree(s.inputs[1].size, kernel)},
-                 {"call", call_of(kernel)}}) +
-         (!turns_colors(kernel) ? ""
-                                : filled(R"(template <int Degree, class T>
+                                  parts);
+  if (!turns_colors(kernel)) return text;
+  return text + filled(R"(template <int Degree, class T>
 [[gnu::flatten]] void turn_colors(const T* a, const T* b, std::size_t n, T* to) {
-  for_every_color<$shared, $size>(a, b, n, to, [](const Color<T>* const* in, Color<T>* out) {
+  for_every_color<$first$further>(a, b, n, to, [](const Color<T>* const* in, Color<T>* out) {
     $call
   });
 }
@@ -254,9 +259,7 @@ constexpr detail::RecordKernel<T> colors() {
 }
 
 )",
-                                         {{"shared", std::to_string(s.inputs[0].size)},
-                                          {"size", size_in_degree(s.out_size, kernel)},
-                                          {"call", call_of(kernel)}}));
+                       parts);
 }
 
 // The kernels that need no driver, by degree.
@@ -273,20 +276,22 @@ std::string direct_table(const Driver& driver, const std::string& scalar) {
   return text + "};\n";
 }
 
-// The kernels of one record after the other, by degree.
+// The kernels of records in rows, or with shared ones, that need no driver, by degree.
 std::string single_table(const Driver& driver, const std::string& scalar) {
   std::string text =
       filled("extern const detail::SingleKernels<$t> $table[];\nconst detail::SingleKernels<$t> $table[] = {\n",
              {{"t", scalar}, {"table", table_of_direct(driver, scalar)}});
   for (const FinishedKernel& finished : driver.kernels) {
-    const RecordSignature s = signature_of(finished.kernel);
-    int values = s.out_size;
-    for (const Record& record : s.inputs) values += record.size;
-    text += filled("    {few<$degree, $t>, single_plain_records<$t>($single, $values)},\n",
-                   {{"degree", std::to_string(finished.kernel.degree)},
+    const std::string degree = std::to_string(finished.kernel.degree);
+    const std::string count = std::to_string(most_single(driver, finished.kernel.degree));
+    const std::string single = "single_records<" + scalar + ">(" + count + ")";
+    const std::string grouped = "grouped_records<" + scalar + ">(" + degree + ", " + count + ")";
+    text += filled("    {few<$degree, $t>, $most, $single / 2$colors},\n",
+                   {{"degree", degree},
                     {"t", scalar},
-                    {"single", std::to_string(most_single(driver, finished.kernel.degree))},
-                    {"values", std::to_string(values)}});
+                    {"most", finished.kernel.degree <= driver.spec.grouped ? grouped : single},
+                    {"single", single},
+                    {"colors", turns_colors(driver.last()) ? ", colors<" + degree + ", " + scalar + ">()" : ""}});
   }
   return text + "};\n";
 }
@@ -329,9 +334,8 @@ std::string plan_row(const Driver& driver, std::size_t i) {
   if (driver.spec.groups) shared = ", -1, nullptr, nullptr, records" + at_degree + ", T>";
   if (driver.spec.groups && has_colors(driver.last())) shared += ", interleaved" + at_degree + ", T>";
   if (!driver.spec.single.empty()) {
-    shared = ", -1, nullptr, nullptr, nullptr, nullptr, one_by_one" + at_degree + ", T>, single_records<T>(" +
-             std::to_string(most_single(driver, kernel.degree)) + ")";
-    if (kernel.degree == kTurnsColors && turns_colors(kernel)) shared += ", colors" + at_degree + ", T>()";
+    shared = ", -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(" + table_of_direct(driver, "float") + ", " +
+             table_of_direct(driver, "double") + ") + " + std::to_string(kernel.degree);
   }
   return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish$shared},\n",
                 {{"inputs", std::to_string(s.inputs.size())},
@@ -404,8 +408,9 @@ std::string kernels_file(const Driver& driver) {
                                                      : block_kernel("kernel", driver.last(), Loop::kPlain, rings);
   if (driver.adds_parts()) kernels += block_kernel("parts", driver.parts->back().kernel);
   if (driver.prepares()) kernels += block_kernel("kernel_prepared", driver.prepared->back().kernel, Loop::kFixed);
-  if (driver.spec.groups) kernels += record_kernels(driver.last());
-  if (!driver.spec.single.empty()) kernels += single_kernels(driver.last());
+  if (driver.spec.groups || !driver.spec.single.empty()) kernels += record_kernels(driver.last());
+  if (driver.spec.groups) kernels += direct_kernels(driver.last());
+  if (!driver.spec.single.empty()) kernels += few_kernels(driver);
   if (driver.spec.half && !driver.spec.scalar_products) {
     kernels +=
         "#if defined(SH_BATCH_CONVERTS_HALVES)\n" + block_kernel("kernel_half", driver.last(), Loop::kHalf, rings);
@@ -425,7 +430,8 @@ std::string kernels_file(const Driver& driver) {
 $stamp$includes
 namespace sh::batch::SH_BATCH_ISA {
 
-$kernels
+$kernels$tables
+template <class T>
 void $name(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
 $plans  };
@@ -433,15 +439,15 @@ $plans  };
 }
 template void $name(const detail::Call<float>&);
 template void $name(const detail::Call<double>&);
-$tables
+
 }  // namespace sh::batch::SH_BATCH_ISA
 )",
       {{"name", driver.name},
        {"stamp", kStamp},
        {"includes", includes},
-       {"kernels", kernels + "template <class T>"},
+       {"kernels", kernels},
        {"plans", plans},
-       {"tables", tables.empty() ? "" : "\n" + tables}});
+       {"tables", tables}});
 }
 
 std::string once_header(const std::vector<Driver>& drivers) {

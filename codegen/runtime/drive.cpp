@@ -35,20 +35,18 @@ double sum_of_lanes(const double* lanes) {
   return even + odd;
 }
 
-// Whether all arrays hold records in a row, or one for all.
+// Whether kernels of few records take all arrays as they are.
 template <class T>
-bool are_in_rows(const detail::Call<T>& call, const Plan<T>& plan) {
-  bool rows = call.out.layout == Layout::kPlain;
-  for (int j = 0; j < plan.inputs; ++j) {
-    rows = rows && (call.in[j].layout == Layout::kPlain || call.in[j].layout == Layout::kShared);
-  }
-  return rows;
+bool are_in_rows(const detail::Call<T>& call) {
+  return call.out.layout == Layout::kPlain && call.in[1].layout == Layout::kPlain &&
+         (call.in[0].layout == Layout::kPlain || call.in[0].layout == Layout::kShared);
 }
 
-// The most records that are faster one after the other; copies to rows take as long as their kernels.
+// The most records for those.
 template <class T>
 std::size_t most_single(const detail::Call<T>& call, const Plan<T>& plan) {
-  return are_in_rows(call, plan) ? plan.most_single : plan.most_single / 2;
+  if (plan.single == nullptr) return 0;
+  return are_in_rows(call) ? plan.single->most : plan.single->most_copied;
 }
 
 // Where the values of record i of a channel stand in an array of records of `size` values: the first, and from one to the next.
@@ -58,6 +56,7 @@ struct Places {
 };
 template <class T>
 Places places_of(Layout layout, std::size_t size, std::size_t i, std::size_t channel) {
+  if (layout == Layout::kShared) return {0, 1};
   if (layout == Layout::kInterleaved) return {i * size * 3 + channel, 3};
   if (layout == Layout::kBlocked) return {i / kBlock<T> * size * kBlock<T> + i % kBlock<T>, kBlock<T>};
   return {i * size, 1};
@@ -79,45 +78,29 @@ const T* copy_from_row(const T* row, const Records<T>& out, std::size_t size, st
   return row;
 }
 
-// `count` records from `first` on, one after the other, that lie in rows.
-template <class T>
-void run_rows(const detail::Call<T>& call, const Plan<T>& plan, std::size_t first, std::size_t count) {
-  Blocks<T> records;
-  records.count = count;
-  for (int j = 0; j < plan.inputs; ++j) {
-    records.step[j] = call.in[j].layout == Layout::kShared ? 0 : plan.in[j];
-    records.in[j] = call.in[j].data + first * records.step[j];
-  }
-  records.out = call.out.data + first * plan.out;
-  records.out_step = plan.out;
-  plan.kernel_single(records);
-}
-
-// `count` records from `first` on, one after the other; in other layouts their channels are copied to rows, a few at a time.
+// `count` records from `first` on; channels of other layouts are copied to rows, a few at a time.
 template <class T>
 void run_singly(const detail::Call<T>& call, const Plan<T>& plan, std::size_t first, std::size_t count) {
-  if (are_in_rows(call, plan)) return run_rows(call, plan, first, count);
+  const bool is_shared = call.in[0].layout == Layout::kShared;
+  if (are_in_rows(call)) {
+    return plan.single->run(call.in[0].data + (is_shared ? 0 : first * plan.in[0]), is_shared,
+                            call.in[1].data + first * plan.in[1], count, call.out.data + first * plan.out);
+  }
   constexpr std::size_t kRoom = 1024;  // values; no kernel takes and gives more for three channels of one record
   T room[kRoom];
-  std::size_t values = plan.out;
-  for (int j = 0; j < plan.inputs; ++j) values += plan.in[j];
-  const std::size_t chunk = kRoom / (values * call.channels);
+  const std::size_t chunk = kRoom / ((plan.in[0] + plan.in[1] + plan.out) * call.channels);
   for (const std::size_t end = first + count; first < end; first += chunk) {
     const std::size_t last = end - first < chunk ? end : first + chunk;
+    const T* in[2];
     T* free = room;
-    Blocks<T> records;
-    records.count = (last - first) * call.channels;
-    for (int j = 0; j < plan.inputs; ++j) {
-      const bool is_shared = call.in[j].layout == Layout::kShared;
-      records.in[j] = is_shared ? call.in[j].data : free;
-      records.step[j] = is_shared ? 0 : plan.in[j];
-      for (std::size_t i = first; !is_shared && i < last; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      const bool is_there = j == 0 && is_shared;
+      in[j] = is_there ? call.in[j].data : free;
+      for (std::size_t i = first; !is_there && i < last; ++i) {
         for (std::size_t c = 0; c < call.channels; ++c) free = copy_to_row(call.in[j], plan.in[j], i, c, free);
       }
     }
-    records.out = free;
-    records.out_step = plan.out;
-    plan.kernel_single(records);
+    plan.single->run(in[0], is_shared, in[1], (last - first) * call.channels, free);
     const T* row = free;
     for (std::size_t i = first; i < last; ++i) {
       for (std::size_t c = 0; c < call.channels; ++c) row = copy_from_row(row, call.out, plan.out, i, c);
@@ -402,18 +385,18 @@ detail::RecordKernel<T> record_kernel(const detail::Call<T>& call, const Plan<T>
   return plain && call.in[0].layout == Layout::kInterleaved ? plan.kernel_interleaved : nullptr;
 }
 
-// Whether to compute all records one after the other: few ones, and short ones in a row.
+// Whether kernels of few records compute all.
 template <class T>
 bool are_single(const detail::Call<T>& call, const Plan<T>& plan) {
-  if (plan.kernel_single == nullptr || call.half != nullptr || call.stream) return false;
-  return call.n <= most_single(call, plan) || (plan.in[0] + plan.in[1] + plan.out <= kShort && are_in_rows(call, plan));
+  return call.half == nullptr && !call.stream && call.n <= most_single(call, plan);
 }
 
 // Whether channels of interleaved records go through registers together.
 template <class T>
 bool takes_colors(const detail::Call<T>& call, const Plan<T>& plan) {
-  return plan.kernel_colors != nullptr && !call.stream && call.in[0].layout == Layout::kShared &&
-         call.in[1].layout == Layout::kInterleaved && call.out.layout == Layout::kInterleaved;
+  return plan.single != nullptr && plan.single->colors != nullptr && !call.stream &&
+         call.in[0].layout == Layout::kShared && call.in[1].layout == Layout::kInterleaved &&
+         call.out.layout == Layout::kInterleaved;
 }
 
 // Whether all records stand in whole blocks that a kernel can work on, but for an input that is always shared.
@@ -445,7 +428,7 @@ template <class T>
 void drive(const detail::Call<T>& call, const Plan<T>& plan) {
   if (const auto kernel = record_kernel(call, plan))
     return kernel(call.in[0].data, call.in[1].data, call.n, call.out.data);
-  if (takes_colors(call, plan)) return plan.kernel_colors(call.in[0].data, call.in[1].data, call.n, call.out.data);
+  if (takes_colors(call, plan)) return plan.single->colors(call.in[0].data, call.in[1].data, call.n, call.out.data);
   if (are_single(call, plan)) return run_singly(call, plan, 0, call.n);
   if (!call.stream && !plan.sums && is_direct(call, plan)) return run_blocks(call, plan);
   Driver<T>(call, plan).run();

@@ -25,10 +25,10 @@ template <int Degree, class T>
 
 template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* /*b*/, std::size_t n, T* to) {
+  RecordInputs<3, T, Rows> first(a);
   for (std::size_t i = 0; i < n; ++i) {
-    const RecordInputs<3, T, Rows> first(a + i * 3);
-    const One<T>* const in[] = {first.values()};
-    RecordValues<((Degree + 1) * (Degree + 1)), 3, T> record(to + i * ((Degree + 1) * (Degree + 1)));
+    const One<T>* const in[] = {first.at(i)};
+    RecordValues<((Degree + 1) * (Degree + 1)), kStep<Rows, 3>, T> record(to + i * ((Degree + 1) * (Degree + 1)));
     One<T>* const out = record.values();
     sh::basis<Degree>(in[0][0], in[0][1], in[0][2], out);
     record.keep();
@@ -49,9 +49,9 @@ template <int Degree, class T, class Rows = InOrder>
   });
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 void records(const T* a, const T* b, std::size_t n, T* to) {
-  run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, in_part<Degree, T>, ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
+  run_records<T, Rows, one_by_one<Degree, T, Rows>, in_groups<Degree, T, Rows>, in_part<Degree, T, Rows>, ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
 }
 
 template <int Degree, class T>
@@ -60,26 +60,6 @@ void blocks(const T* a, const T* b, std::size_t count, T* to) {
 }
 
 }  // namespace
-
-template <class T>
-void basis(const detail::Call<T>& call) {
-  static constexpr Plan<T> kPlans[] = {
-      {1, {3}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<0, T>},
-      {1, {3}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<1, T>},
-      {1, {3}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<2, T>},
-      {1, {3}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<3, T>},
-      {1, {3}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<4, T>},
-      {1, {3}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<5, T>},
-      {1, {3}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<6, T>},
-      {1, {3}, 64, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>},
-      {1, {3}, 81, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>},
-      {1, {3}, 100, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>},
-      {1, {3}, 121, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>},
-  };
-  drive(call, kPlans[call.degree]);
-}
-template void basis(const detail::Call<float>&);
-template void basis(const detail::Call<double>&);
 
 extern const detail::DirectKernels<float> basis_float[];
 const detail::DirectKernels<float> basis_float[] = {
@@ -109,5 +89,25 @@ const detail::DirectKernels<double> basis_double[] = {
     {records<9, double>, blocks<9, double>},
     {records<10, double>, blocks<10, double>},
 };
+
+template <class T>
+void basis(const detail::Call<T>& call) {
+  static constexpr Plan<T> kPlans[] = {
+      {1, {3}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<0, T>},
+      {1, {3}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<1, T>},
+      {1, {3}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<2, T>},
+      {1, {3}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<3, T>},
+      {1, {3}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<4, T>},
+      {1, {3}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<5, T>},
+      {1, {3}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<6, T>},
+      {1, {3}, 64, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>},
+      {1, {3}, 81, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>},
+      {1, {3}, 100, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>},
+      {1, {3}, 121, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>},
+  };
+  drive(call, kPlans[call.degree]);
+}
+template void basis(const detail::Call<float>&);
+template void basis(const detail::Call<double>&);
 
 }  // namespace sh::batch::SH_BATCH_ISA

@@ -26,10 +26,10 @@ template <int Degree, class T>
 
 template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* /*b*/, std::size_t n, T* to) {
+  RecordInputs<3, T, Rows> first(a);
   for (std::size_t i = 0; i < n; ++i) {
-    const RecordInputs<3, T, Rows> first(a + i * 3);
-    const One<T>* const in[] = {first.values()};
-    RecordValues<4 * ((Degree + 1) * (Degree + 1)), 3, T> record(to + i * 4 * ((Degree + 1) * (Degree + 1)));
+    const One<T>* const in[] = {first.at(i)};
+    RecordValues<4 * ((Degree + 1) * (Degree + 1)), kStep<Rows, 3>, T> record(to + i * 4 * ((Degree + 1) * (Degree + 1)));
     One<T>* const out = record.values();
     constexpr int kCount = (Degree + 1) * (Degree + 1);
     sh::basis_gradient<Degree>(in[0][0], in[0][1], in[0][2], out, out + kCount, out + 2 * kCount, out + 3 * kCount);
@@ -53,9 +53,9 @@ template <int Degree, class T, class Rows = InOrder>
   });
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 void records(const T* a, const T* b, std::size_t n, T* to) {
-  run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, in_part<Degree, T>, 4 * ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
+  run_records<T, Rows, one_by_one<Degree, T, Rows>, in_groups<Degree, T, Rows>, in_part<Degree, T, Rows>, 4 * ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
 }
 
 template <int Degree, class T>
@@ -64,26 +64,6 @@ void blocks(const T* a, const T* b, std::size_t count, T* to) {
 }
 
 }  // namespace
-
-template <class T>
-void basis_gradient(const detail::Call<T>& call) {
-  static constexpr Plan<T> kPlans[] = {
-      {1, {3}, 4, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<0, T>},
-      {1, {3}, 16, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<1, T>},
-      {1, {3}, 36, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<2, T>},
-      {1, {3}, 64, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<3, T>},
-      {1, {3}, 100, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<4, T>},
-      {1, {3}, 144, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<5, T>},
-      {1, {3}, 196, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<6, T>},
-      {1, {3}, 256, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>},
-      {1, {3}, 324, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>},
-      {1, {3}, 400, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>},
-      {1, {3}, 484, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>},
-  };
-  drive(call, kPlans[call.degree]);
-}
-template void basis_gradient(const detail::Call<float>&);
-template void basis_gradient(const detail::Call<double>&);
 
 extern const detail::DirectKernels<float> basis_gradient_float[];
 const detail::DirectKernels<float> basis_gradient_float[] = {
@@ -113,5 +93,25 @@ const detail::DirectKernels<double> basis_gradient_double[] = {
     {records<9, double>, blocks<9, double>},
     {records<10, double>, blocks<10, double>},
 };
+
+template <class T>
+void basis_gradient(const detail::Call<T>& call) {
+  static constexpr Plan<T> kPlans[] = {
+      {1, {3}, 4, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<0, T>},
+      {1, {3}, 16, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<1, T>},
+      {1, {3}, 36, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<2, T>},
+      {1, {3}, 64, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<3, T>},
+      {1, {3}, 100, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<4, T>},
+      {1, {3}, 144, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<5, T>},
+      {1, {3}, 196, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<6, T>},
+      {1, {3}, 256, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>},
+      {1, {3}, 324, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>},
+      {1, {3}, 400, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>},
+      {1, {3}, 484, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>},
+  };
+  drive(call, kPlans[call.degree]);
+}
+template void basis_gradient(const detail::Call<float>&);
+template void basis_gradient(const detail::Call<double>&);
 
 }  // namespace sh::batch::SH_BATCH_ISA

@@ -39,12 +39,14 @@ struct DirectKernels {
 
 constexpr std::size_t kMostDirect = 1024;  // records of a direct call: their outputs stay in a cache
 
-/// The kernel of a degree for one record after the other, and the most records that it is called for directly.
-/// a: n records, or one for all; b, out: n plain records.
+/// The kernels of a degree that need no driver.
 template <class T>
 struct SingleKernels {
+  /// a: n records, or one for all; b, out: n plain records.
   void (*run)(const T* a, bool is_shared, const T* b, std::size_t n, T* out);
-  std::size_t most;
+  std::size_t most;         ///< records that it is called for
+  std::size_t most_copied;  ///< the same where records are copied to rows first, which takes as long as the kernel
+  RecordKernel<T> colors = nullptr;  ///< a: one record for all; b, out: n interleaved records
 };
 
 /// Whether the processor stores a register of 64 bytes in one cycle, but in two or three beside loads. Tests set it.

@@ -41,6 +41,12 @@ template <class... Array>
   return ((arrays.layout == Layout::kPlain) && ...);
 }
 
+/// Whether an input lies in rows, or is one for all.
+template <class T>
+[[gnu::always_inline]] inline bool is_in_rows(const Records<const T>& records) {
+  return records.layout == Layout::kPlain || records.layout == Layout::kShared;
+}
+
 /// Plain records up to which a call costs more than it saves of a kernel of degree 0 or 1. A caller who is compiled for the
 /// widest instruction set has nothing to gain from a call.
 #if defined(__AVX512F__)
@@ -121,17 +127,23 @@ template <class T, class... Second>
   run_any(any, degree, n, out, a, b...);
 }
 
-/// A call of few records, plain or with one `a` for all, at once: one after the other. `any` serves all other calls.
+/// A call of few records, plain or with one `a` for all, or of interleaved records with one `a`, at once. `any` serves all
+/// other calls.
 template <class T>
 [[gnu::always_inline]] inline void run_single(const SingleKernels<T>* const* every, AnyCall<T> any, int degree,
                                               int largest_degree, std::size_t n, const Records<T>& out,
                                               const Records<const T>& a, const Records<const T>& b) {
   const int set = in_use.load(std::memory_order_relaxed);
-  const bool is_shared = a.layout == Layout::kShared;
   if (SH_BATCH_LIKELY(set != kNotChosen) && SH_BATCH_LIKELY(degree >= 0 && degree <= largest_degree) &&
-      are_plain(out, b) && (is_shared || are_plain(a))) {
+      SH_BATCH_LIKELY(n - 1 < kMostDirect)) {
     const SingleKernels<T>& kernels = every[set][degree];
-    if (n - 1 < kernels.most) return kernels.run(a.data, is_shared, b.data, n, out.data);
+    const bool is_shared = a.layout == Layout::kShared;
+    if (are_plain(out, b) && is_in_rows(a) && n <= kernels.most) {
+      return kernels.run(a.data, is_shared, b.data, n, out.data);
+    }
+    if (is_shared && b.layout == Layout::kInterleaved && out.layout == Layout::kInterleaved && kernels.colors != nullptr) {
+      return kernels.colors(a.data, b.data, n, out.data);
+    }
   }
   run_any(any, degree, n, out, a, b);
 }

@@ -30,39 +30,24 @@ struct Plan {
   BlockKernel<T> kernel_records_half = nullptr;          // where they are in half precision
   detail::RecordKernel<T> kernel_plain = nullptr;        // takes and gives plain records
   detail::RecordKernel<T> kernel_interleaved = nullptr;  // the same, but input 0 is interleaved
-  // One record after the other, in blocks of one record, and the most records that are faster so.
-  BlockKernel<T> kernel_single = nullptr;
-  std::size_t most_single = 0;
-  detail::RecordKernel<T> kernel_colors = nullptr;  // input 0 is shared, input 1 and the output are interleaved
+  const detail::SingleKernels<T>* single = nullptr;      // of few records; null: there are none
 };
 
-/// Values of all arrays for a record that is so short that its turning takes longer than its kernel.
-constexpr std::size_t kShort = 20;
-
-/// The most records that are faster one by one than in registers, in terms of those of 16 lanes, as measured.
+/// The most records that are faster one by one than in registers of blocks; of_sixteen: than in those of 16 lanes, as measured.
 template <class T>
 constexpr std::size_t single_records(std::size_t of_sixteen) {
   return (of_sixteen * Lanes<T>::kWidth + 15) / 16;
 }
 
-/// The most plain records that are computed one by one; values: of all arrays for a record.
+/// The table of T.
 template <class T>
-constexpr std::size_t single_plain_records(std::size_t of_sixteen, std::size_t values) {
-  return values <= kShort ? detail::kMostDirect : single_records<T>(of_sixteen);
-}
-
-/// n plain records as blocks of one; is_shared: there is one `a` for all.
-template <class T, std::size_t Out, std::size_t InA, std::size_t InB>
-Blocks<T> single_blocks(const T* a, bool is_shared, const T* b, std::size_t n, T* to) {
-  Blocks<T> records;
-  records.in[0] = a;
-  records.in[1] = b;
-  records.step[0] = is_shared ? 0 : InA;
-  records.step[1] = InB;
-  records.out = to;
-  records.out_step = Out;
-  records.count = n;
-  return records;
+constexpr const detail::SingleKernels<T>* of_type([[maybe_unused]] const detail::SingleKernels<float>* floats,
+                                                  [[maybe_unused]] const detail::SingleKernels<double>* doubles) {
+  if constexpr (sizeof(T) == sizeof(float)) {
+    return floats;
+  } else {
+    return doubles;
+  }
 }
 
 /// The kernel where T is float; none for double.

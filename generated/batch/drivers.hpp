@@ -4,69 +4,106 @@
 // Licence:      MIT-0; paste it anywhere.
 #pragma once
 
-#include "../cpp/basis.hpp"
-#include "../cpp/basis_gradient.hpp"
-#include "../cpp/evaluate.hpp"
-#include "../cpp/evaluate_rgb.hpp"
+#include "../cpp/basis_l0.hpp"
+#include "../cpp/basis_l1.hpp"
+#include "../cpp/basis_gradient_l0.hpp"
+#include "../cpp/basis_gradient_l1.hpp"
+#include "../cpp/evaluate_l0.hpp"
+#include "../cpp/evaluate_rgb_l0.hpp"
+#include "../cpp/rotate_l0.hpp"
+#include "../cpp/product_l0.hpp"
 #include "direct.hpp"
 #include "records.hpp"
 
 namespace sh::batch {
 
 namespace detail {
-template <int Degree, class T>
-[[gnu::always_inline]] inline void loop_basis(std::size_t n, const T* directions, T* to) {
+template <class T>
+[[gnu::always_inline]] inline void loop_basis_l0(std::size_t n, const T* directions, T* to) {
   for_each_record(n, [=](std::size_t i) {
     const T* const in[] = {directions + i * 3};
-    T* const out = to + i * ((Degree + 1) * (Degree + 1));
-    sh::basis<Degree>(in[0][0], in[0][1], in[0][2], out);
+    T* const out = to + i * 1;
+    sh::basis_l0(in[0][0], in[0][1], in[0][2], out);
+  });
+}
+template <class T>
+[[gnu::always_inline]] inline void loop_basis_l1(std::size_t n, const T* directions, T* to) {
+  for_each_record(n, [=](std::size_t i) {
+    const T* const in[] = {directions + i * 3};
+    T* const out = to + i * 4;
+    sh::basis_l1(in[0][0], in[0][1], in[0][2], out);
   });
 }
 extern const DirectKernels<float>* const basis_float[];
 void run_basis(int degree, std::size_t n, const float* a, const float* /*b*/, float* out, Layouts layouts);
 extern const DirectKernels<double>* const basis_double[];
 void run_basis(int degree, std::size_t n, const double* a, const double* /*b*/, double* out, Layouts layouts);
-template <int Degree, class T>
-[[gnu::always_inline]] inline void loop_basis_gradient(std::size_t n, const T* directions, T* to) {
+template <class T>
+[[gnu::always_inline]] inline void loop_basis_gradient_l0(std::size_t n, const T* directions, T* to) {
   for_each_record(n, [=](std::size_t i) {
     const T* const in[] = {directions + i * 3};
-    T* const out = to + i * 4 * ((Degree + 1) * (Degree + 1));
-    constexpr int kCount = (Degree + 1) * (Degree + 1);
-    sh::basis_gradient<Degree>(in[0][0], in[0][1], in[0][2], out, out + kCount, out + 2 * kCount, out + 3 * kCount);
+    T* const out = to + i * 4;
+    constexpr int kCount = 1;
+    sh::basis_gradient_l0(in[0][0], in[0][1], in[0][2], out, out + kCount, out + 2 * kCount, out + 3 * kCount);
+  });
+}
+template <class T>
+[[gnu::always_inline]] inline void loop_basis_gradient_l1(std::size_t n, const T* directions, T* to) {
+  for_each_record(n, [=](std::size_t i) {
+    const T* const in[] = {directions + i * 3};
+    T* const out = to + i * 16;
+    constexpr int kCount = 4;
+    sh::basis_gradient_l1(in[0][0], in[0][1], in[0][2], out, out + kCount, out + 2 * kCount, out + 3 * kCount);
   });
 }
 extern const DirectKernels<float>* const basis_gradient_float[];
 void run_basis_gradient(int degree, std::size_t n, const float* a, const float* /*b*/, float* out, Layouts layouts);
 extern const DirectKernels<double>* const basis_gradient_double[];
 void run_basis_gradient(int degree, std::size_t n, const double* a, const double* /*b*/, double* out, Layouts layouts);
-template <int Degree, class T>
-[[gnu::always_inline]] inline void loop_evaluate(std::size_t n, const T* c, const T* directions, T* to) {
+template <class T>
+[[gnu::always_inline]] inline void loop_evaluate_l0(std::size_t n, const T* c, const T* directions, T* to) {
   for_each_record(n, [=](std::size_t i) {
-    const T* const in[] = {c + i * ((Degree + 1) * (Degree + 1)), directions + i * 3};
+    const T* const in[] = {c + i * 1, directions + i * 3};
     T* const out = to + i * 1;
-    out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
+    out[0] = sh::evaluate_l0(in[0], in[1][0], in[1][1], in[1][2]);
   });
 }
 extern const DirectKernels<float>* const evaluate_float[];
 void run_evaluate(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
 extern const DirectKernels<double>* const evaluate_double[];
 void run_evaluate(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
-template <int Degree, class T>
-[[gnu::always_inline]] inline void loop_evaluate_rgb(std::size_t n, const T* c, const T* directions, T* to) {
+template <class T>
+[[gnu::always_inline]] inline void loop_evaluate_rgb_l0(std::size_t n, const T* c, const T* directions, T* to) {
   for_each_record(n, [=](std::size_t i) {
-    const T* const in[] = {c + i * 3 * ((Degree + 1) * (Degree + 1)), directions + i * 3};
+    const T* const in[] = {c + i * 3, directions + i * 3};
     T* const out = to + i * 3;
-    sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
+    sh::evaluate_rgb_l0(in[0], in[1][0], in[1][1], in[1][2], out);
   });
 }
 extern const DirectKernels<float>* const evaluate_rgb_float[];
 void run_evaluate_rgb(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
 extern const DirectKernels<double>* const evaluate_rgb_double[];
 void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
+template <class T>
+[[gnu::always_inline]] inline void loop_rotate_l0(std::size_t n, const T* r, bool is_shared, const T* c, T* to) {
+  for_each_record(n, [=](std::size_t i) {
+    const T* const in[] = {r + (is_shared ? 0 : i * 9), c + i * 1};
+    T* const out = to + i * 1;
+    sh::rotate_l0(in[0], in[1], out);
+  });
+}
 extern const SingleKernels<float>* const rotate_float[];
 void run_rotate(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
 extern const SingleKernels<double>* const rotate_double[];
 void run_rotate(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
+template <class T>
+[[gnu::always_inline]] inline void loop_product_l0(std::size_t n, const T* a, bool is_shared, const T* b, T* to) {
+  for_each_record(n, [=](std::size_t i) {
+    const T* const in[] = {a + (is_shared ? 0 : i * 1), b + i * 1};
+    T* const out = to + i * 1;
+    sh::product_l0(in[0], in[1], out);
+  });
+}
 extern const SingleKernels<float>* const product_float[];
 void run_product(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
 extern const SingleKernels<double>* const product_double[];
@@ -79,16 +116,16 @@ void run_product(int degree, std::size_t n, const double* a, const double* b, do
 [[gnu::always_inline]] inline void basis(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
   if (!detail::are_given(out, directions)) return detail::run_any<float>(detail::run_basis, degree, n, out, directions);
   if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions))) {
-    if (degree == 0) return detail::loop_basis<0>(n, directions.data, out.data);
-    if (degree == 1) return detail::loop_basis<1>(n, directions.data, out.data);
+    if (degree == 0) return detail::loop_basis_l0(n, directions.data, out.data);
+    if (degree == 1) return detail::loop_basis_l1(n, directions.data, out.data);
   }
   detail::run_direct<float>(detail::basis_float, detail::run_basis, degree, 10, n, out, directions);
 }
 [[gnu::always_inline]] inline void basis(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
   if (!detail::are_given(out, directions)) return detail::run_any<double>(detail::run_basis, degree, n, out, directions);
   if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions))) {
-    if (degree == 0) return detail::loop_basis<0>(n, directions.data, out.data);
-    if (degree == 1) return detail::loop_basis<1>(n, directions.data, out.data);
+    if (degree == 0) return detail::loop_basis_l0(n, directions.data, out.data);
+    if (degree == 1) return detail::loop_basis_l1(n, directions.data, out.data);
   }
   detail::run_direct<double>(detail::basis_double, detail::run_basis, degree, 10, n, out, directions);
 }
@@ -99,16 +136,16 @@ void run_product(int degree, std::size_t n, const double* a, const double* b, do
 [[gnu::always_inline]] inline void basis_gradient(int degree, std::size_t n, Records<const float> directions, Records<float> out) {
   if (!detail::are_given(out, directions)) return detail::run_any<float>(detail::run_basis_gradient, degree, n, out, directions);
   if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions))) {
-    if (degree == 0) return detail::loop_basis_gradient<0>(n, directions.data, out.data);
-    if (degree == 1) return detail::loop_basis_gradient<1>(n, directions.data, out.data);
+    if (degree == 0) return detail::loop_basis_gradient_l0(n, directions.data, out.data);
+    if (degree == 1) return detail::loop_basis_gradient_l1(n, directions.data, out.data);
   }
   detail::run_direct<float>(detail::basis_gradient_float, detail::run_basis_gradient, degree, 10, n, out, directions);
 }
 [[gnu::always_inline]] inline void basis_gradient(int degree, std::size_t n, Records<const double> directions, Records<double> out) {
   if (!detail::are_given(out, directions)) return detail::run_any<double>(detail::run_basis_gradient, degree, n, out, directions);
   if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, directions))) {
-    if (degree == 0) return detail::loop_basis_gradient<0>(n, directions.data, out.data);
-    if (degree == 1) return detail::loop_basis_gradient<1>(n, directions.data, out.data);
+    if (degree == 0) return detail::loop_basis_gradient_l0(n, directions.data, out.data);
+    if (degree == 1) return detail::loop_basis_gradient_l1(n, directions.data, out.data);
   }
   detail::run_direct<double>(detail::basis_gradient_double, detail::run_basis_gradient, degree, 10, n, out, directions);
 }
@@ -119,14 +156,14 @@ void run_product(int degree, std::size_t n, const double* a, const double* b, do
 [[gnu::always_inline]] inline void evaluate(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
   if (!detail::are_given(out, c, directions)) return detail::run_any<float>(detail::run_evaluate, degree, n, out, c, directions);
   if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions))) {
-    if (degree == 0) return detail::loop_evaluate<0>(n, c.data, directions.data, out.data);
+    if (degree == 0) return detail::loop_evaluate_l0(n, c.data, directions.data, out.data);
   }
   detail::run_direct<float>(detail::evaluate_float, detail::run_evaluate, degree, 10, n, out, c, directions);
 }
 [[gnu::always_inline]] inline void evaluate(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
   if (!detail::are_given(out, c, directions)) return detail::run_any<double>(detail::run_evaluate, degree, n, out, c, directions);
   if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions))) {
-    if (degree == 0) return detail::loop_evaluate<0>(n, c.data, directions.data, out.data);
+    if (degree == 0) return detail::loop_evaluate_l0(n, c.data, directions.data, out.data);
   }
   detail::run_direct<double>(detail::evaluate_double, detail::run_evaluate, degree, 10, n, out, c, directions);
 }
@@ -138,14 +175,14 @@ void evaluate(int degree, std::size_t n, Records<const Half> c, Records<const fl
 [[gnu::always_inline]] inline void evaluate_rgb(int degree, std::size_t n, Records<const float> c, Records<const float> directions, Records<float> out) {
   if (!detail::are_given(out, c, directions)) return detail::run_any<float>(detail::run_evaluate_rgb, degree, n, out, c, directions);
   if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions))) {
-    if (degree == 0) return detail::loop_evaluate_rgb<0>(n, c.data, directions.data, out.data);
+    if (degree == 0) return detail::loop_evaluate_rgb_l0(n, c.data, directions.data, out.data);
   }
   detail::run_direct<float>(detail::evaluate_rgb_float, detail::run_evaluate_rgb, degree, 10, n, out, c, directions);
 }
 [[gnu::always_inline]] inline void evaluate_rgb(int degree, std::size_t n, Records<const double> c, Records<const double> directions, Records<double> out) {
   if (!detail::are_given(out, c, directions)) return detail::run_any<double>(detail::run_evaluate_rgb, degree, n, out, c, directions);
   if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c, directions))) {
-    if (degree == 0) return detail::loop_evaluate_rgb<0>(n, c.data, directions.data, out.data);
+    if (degree == 0) return detail::loop_evaluate_rgb_l0(n, c.data, directions.data, out.data);
   }
   detail::run_direct<double>(detail::evaluate_rgb_double, detail::run_evaluate_rgb, degree, 10, n, out, c, directions);
 }
@@ -162,10 +199,16 @@ void project(int degree, std::size_t n, Records<const double> directions, Record
 /// Domain: r, row by row, is a rotation: r r^T = 1, det r = 1.
 [[gnu::always_inline]] inline void rotate(int degree, std::size_t n, Records<const float> r, Records<const float> c, Records<float> out) {
   if (!detail::are_given(out, r, c)) return detail::run_any<float>(detail::run_rotate, degree, n, out, r, c);
+  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c) && detail::is_in_rows(r))) {
+    if (degree == 0) return detail::loop_rotate_l0(n, r.data, r.layout == Layout::kShared, c.data, out.data);
+  }
   detail::run_single<float>(detail::rotate_float, detail::run_rotate, degree, 10, n, out, r, c);
 }
 [[gnu::always_inline]] inline void rotate(int degree, std::size_t n, Records<const double> r, Records<const double> c, Records<double> out) {
   if (!detail::are_given(out, r, c)) return detail::run_any<double>(detail::run_rotate, degree, n, out, r, c);
+  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c) && detail::is_in_rows(r))) {
+    if (degree == 0) return detail::loop_rotate_l0(n, r.data, r.layout == Layout::kShared, c.data, out.data);
+  }
   detail::run_single<double>(detail::rotate_double, detail::run_rotate, degree, 10, n, out, r, c);
 }
 
@@ -175,10 +218,16 @@ void project(int degree, std::size_t n, Records<const double> directions, Record
 /// Single calls go on to degree 10: sh::product<10>.
 [[gnu::always_inline]] inline void product(int degree, std::size_t n, Records<const float> a, Records<const float> b, Records<float> out) {
   if (!detail::are_given(out, a, b)) return detail::run_any<float>(detail::run_product, degree, n, out, a, b);
+  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, b) && detail::is_in_rows(a))) {
+    if (degree == 0) return detail::loop_product_l0(n, a.data, a.layout == Layout::kShared, b.data, out.data);
+  }
   detail::run_single<float>(detail::product_float, detail::run_product, degree, 6, n, out, a, b);
 }
 [[gnu::always_inline]] inline void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out) {
   if (!detail::are_given(out, a, b)) return detail::run_any<double>(detail::run_product, degree, n, out, a, b);
+  if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, b) && detail::is_in_rows(a))) {
+    if (degree == 0) return detail::loop_product_l0(n, a.data, a.layout == Layout::kShared, b.data, out.data);
+  }
   detail::run_single<double>(detail::product_double, detail::run_product, degree, 6, n, out, a, b);
 }
 

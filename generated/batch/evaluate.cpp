@@ -28,10 +28,10 @@ template <int Degree, class T>
 
 template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* b, std::size_t n, T* to) {
+  RecordInputs<((Degree + 1) * (Degree + 1)), T, Rows> first(a);
   for (std::size_t i = 0; i < n; ++i) {
-    const RecordInputs<((Degree + 1) * (Degree + 1)), T, Rows> first(a + i * ((Degree + 1) * (Degree + 1)));
-    const One<T>* const in[] = {first.values(), reinterpret_cast<const One<T>*>(b) + i * 3};
-    RecordValues<1, ((Degree + 1) * (Degree + 1)) + 3, T> record(to + i * 1);
+    const One<T>* const in[] = {first.at(i), reinterpret_cast<const One<T>*>(b) + i * 3};
+    RecordValues<1, kStep<Rows, ((Degree + 1) * (Degree + 1))> + 3, T> record(to + i * 1);
     One<T>* const out = record.values();
     out[0] = sh::evaluate<Degree>(in[0], in[1][0], in[1][1], in[1][2]);
     record.keep();
@@ -52,9 +52,9 @@ template <int Degree, class T, class Rows = InOrder>
   });
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 void records(const T* a, const T* b, std::size_t n, T* to) {
-  run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, in_part<Degree, T>, 1, ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
+  run_records<T, Rows, one_by_one<Degree, T, Rows>, in_groups<Degree, T, Rows>, in_part<Degree, T, Rows>, 1, ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
 }
 
 template <int Degree, class T>
@@ -80,26 +80,6 @@ constexpr BlockKernel<T> half() {
 }
 
 }  // namespace
-
-template <class T>
-void evaluate(const detail::Call<T>& call) {
-  static constexpr Plan<T> kPlans[] = {
-      {2, {1, 3}, 1, false, kernel<0, T>, half<0, 1, T>(), detail::prepare_evaluate, 1, kernel_prepared<0, T>, nullptr, -1, nullptr, nullptr, records<0, T>},
-      {2, {4, 3}, 1, false, kernel<1, T>, half<1, 4, T>(), detail::prepare_evaluate, 4, kernel_prepared<1, T>, nullptr, -1, nullptr, nullptr, records<1, T>},
-      {2, {9, 3}, 1, false, kernel<2, T>, half<2, 9, T>(), detail::prepare_evaluate, 9, kernel_prepared<2, T>, nullptr, -1, nullptr, nullptr, records<2, T>},
-      {2, {16, 3}, 1, false, kernel<3, T>, half<3, 16, T>(), detail::prepare_evaluate, 16, kernel_prepared<3, T>, nullptr, -1, nullptr, nullptr, records<3, T>},
-      {2, {25, 3}, 1, false, kernel<4, T>, half<4, 25, T>(), detail::prepare_evaluate, 25, kernel_prepared<4, T>, nullptr, -1, nullptr, nullptr, records<4, T>},
-      {2, {36, 3}, 1, false, kernel<5, T>, half<5, 36, T>(), detail::prepare_evaluate, 36, kernel_prepared<5, T>, nullptr, -1, nullptr, nullptr, records<5, T>},
-      {2, {49, 3}, 1, false, kernel<6, T>, half<6, 49, T>(), detail::prepare_evaluate, 49, kernel_prepared<6, T>, nullptr, -1, nullptr, nullptr, records<6, T>},
-      {2, {64, 3}, 1, false, kernel<7, T>, half<7, 64, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>},
-      {2, {81, 3}, 1, false, kernel<8, T>, half<8, 81, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>},
-      {2, {100, 3}, 1, false, kernel<9, T>, half<9, 100, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>},
-      {2, {121, 3}, 1, false, kernel<10, T>, half<10, 121, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>},
-  };
-  drive(call, kPlans[call.degree]);
-}
-template void evaluate(const detail::Call<float>&);
-template void evaluate(const detail::Call<double>&);
 
 extern const detail::DirectKernels<float> evaluate_float[];
 const detail::DirectKernels<float> evaluate_float[] = {
@@ -129,5 +109,25 @@ const detail::DirectKernels<double> evaluate_double[] = {
     {records<9, double>, blocks<9, double>},
     {records<10, double>, blocks<10, double>},
 };
+
+template <class T>
+void evaluate(const detail::Call<T>& call) {
+  static constexpr Plan<T> kPlans[] = {
+      {2, {1, 3}, 1, false, kernel<0, T>, half<0, 1, T>(), detail::prepare_evaluate, 1, kernel_prepared<0, T>, nullptr, -1, nullptr, nullptr, records<0, T>},
+      {2, {4, 3}, 1, false, kernel<1, T>, half<1, 4, T>(), detail::prepare_evaluate, 4, kernel_prepared<1, T>, nullptr, -1, nullptr, nullptr, records<1, T>},
+      {2, {9, 3}, 1, false, kernel<2, T>, half<2, 9, T>(), detail::prepare_evaluate, 9, kernel_prepared<2, T>, nullptr, -1, nullptr, nullptr, records<2, T>},
+      {2, {16, 3}, 1, false, kernel<3, T>, half<3, 16, T>(), detail::prepare_evaluate, 16, kernel_prepared<3, T>, nullptr, -1, nullptr, nullptr, records<3, T>},
+      {2, {25, 3}, 1, false, kernel<4, T>, half<4, 25, T>(), detail::prepare_evaluate, 25, kernel_prepared<4, T>, nullptr, -1, nullptr, nullptr, records<4, T>},
+      {2, {36, 3}, 1, false, kernel<5, T>, half<5, 36, T>(), detail::prepare_evaluate, 36, kernel_prepared<5, T>, nullptr, -1, nullptr, nullptr, records<5, T>},
+      {2, {49, 3}, 1, false, kernel<6, T>, half<6, 49, T>(), detail::prepare_evaluate, 49, kernel_prepared<6, T>, nullptr, -1, nullptr, nullptr, records<6, T>},
+      {2, {64, 3}, 1, false, kernel<7, T>, half<7, 64, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>},
+      {2, {81, 3}, 1, false, kernel<8, T>, half<8, 81, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>},
+      {2, {100, 3}, 1, false, kernel<9, T>, half<9, 100, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>},
+      {2, {121, 3}, 1, false, kernel<10, T>, half<10, 121, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>},
+  };
+  drive(call, kPlans[call.degree]);
+}
+template void evaluate(const detail::Call<float>&);
+template void evaluate(const detail::Call<double>&);
 
 }  // namespace sh::batch::SH_BATCH_ISA

@@ -19,10 +19,10 @@ template <int Degree, class T>
 
 template <int Degree, class T, class Rows = InOrder>
 [[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* b, std::size_t n, T* to) {
+  RecordInputs<3 * ((Degree + 1) * (Degree + 1)), T, Rows> first(a);
   for (std::size_t i = 0; i < n; ++i) {
-    const RecordInputs<3 * ((Degree + 1) * (Degree + 1)), T, Rows> first(a + i * 3 * ((Degree + 1) * (Degree + 1)));
-    const One<T>* const in[] = {first.values(), reinterpret_cast<const One<T>*>(b) + i * 3};
-    RecordValues<3, 3 * ((Degree + 1) * (Degree + 1)) + 3, T> record(to + i * 3);
+    const One<T>* const in[] = {first.at(i), reinterpret_cast<const One<T>*>(b) + i * 3};
+    RecordValues<3, kStep<Rows, 3 * ((Degree + 1) * (Degree + 1))> + 3, T> record(to + i * 3);
     One<T>* const out = record.values();
     sh::evaluate_rgb<Degree>(in[0], in[1][0], in[1][1], in[1][2], out);
     record.keep();
@@ -43,15 +43,14 @@ template <int Degree, class T, class Rows = InOrder>
   });
 }
 
-template <int Degree, class T>
+template <int Degree, class T, class Rows = InOrder>
 void records(const T* a, const T* b, std::size_t n, T* to) {
-  run_records<T, one_by_one<Degree, T>, in_groups<Degree, T>, in_part<Degree, T>, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
+  run_records<T, Rows, one_by_one<Degree, T, Rows>, in_groups<Degree, T, Rows>, in_part<Degree, T, Rows>, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
 }
 
 template <int Degree, class T>
 void interleaved(const T* a, const T* b, std::size_t n, T* to) {
-  using Rows = ByChannelOf<(Degree + 1) * (Degree + 1)>;
-  run_records<T, one_by_one<Degree, T, Rows>, in_groups<Degree, T, Rows>, in_part<Degree, T, Rows>, 3, 3 * ((Degree + 1) * (Degree + 1)), 3>(a, b, n, to);
+  records<Degree, T, ByChannelOf<(Degree + 1) * (Degree + 1)>>(a, b, n, to);
 }
 
 template <int Degree, class T>
@@ -77,26 +76,6 @@ constexpr BlockKernel<T> half() {
 }
 
 }  // namespace
-
-template <class T>
-void evaluate_rgb(const detail::Call<T>& call) {
-  static constexpr Plan<T> kPlans[] = {
-      {2, {3, 3}, 3, false, kernel<0, T>, half<0, 3, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<0, T>, interleaved<0, T>},
-      {2, {12, 3}, 3, false, kernel<1, T>, half<1, 12, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<1, T>, interleaved<1, T>},
-      {2, {27, 3}, 3, false, kernel<2, T>, half<2, 27, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<2, T>, interleaved<2, T>},
-      {2, {48, 3}, 3, false, kernel<3, T>, half<3, 48, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<3, T>, interleaved<3, T>},
-      {2, {75, 3}, 3, false, kernel<4, T>, half<4, 75, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<4, T>, interleaved<4, T>},
-      {2, {108, 3}, 3, false, kernel<5, T>, half<5, 108, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<5, T>, interleaved<5, T>},
-      {2, {147, 3}, 3, false, kernel<6, T>, half<6, 147, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<6, T>, interleaved<6, T>},
-      {2, {192, 3}, 3, false, kernel<7, T>, half<7, 192, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>, interleaved<7, T>},
-      {2, {243, 3}, 3, false, kernel<8, T>, half<8, 243, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>, interleaved<8, T>},
-      {2, {300, 3}, 3, false, kernel<9, T>, half<9, 300, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>, interleaved<9, T>},
-      {2, {363, 3}, 3, false, kernel<10, T>, half<10, 363, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>, interleaved<10, T>},
-  };
-  drive(call, kPlans[call.degree]);
-}
-template void evaluate_rgb(const detail::Call<float>&);
-template void evaluate_rgb(const detail::Call<double>&);
 
 extern const detail::DirectKernels<float> evaluate_rgb_float[];
 const detail::DirectKernels<float> evaluate_rgb_float[] = {
@@ -126,5 +105,25 @@ const detail::DirectKernels<double> evaluate_rgb_double[] = {
     {records<9, double>, blocks<9, double>, interleaved<9, double>},
     {records<10, double>, blocks<10, double>, interleaved<10, double>},
 };
+
+template <class T>
+void evaluate_rgb(const detail::Call<T>& call) {
+  static constexpr Plan<T> kPlans[] = {
+      {2, {3, 3}, 3, false, kernel<0, T>, half<0, 3, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<0, T>, interleaved<0, T>},
+      {2, {12, 3}, 3, false, kernel<1, T>, half<1, 12, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<1, T>, interleaved<1, T>},
+      {2, {27, 3}, 3, false, kernel<2, T>, half<2, 27, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<2, T>, interleaved<2, T>},
+      {2, {48, 3}, 3, false, kernel<3, T>, half<3, 48, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<3, T>, interleaved<3, T>},
+      {2, {75, 3}, 3, false, kernel<4, T>, half<4, 75, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<4, T>, interleaved<4, T>},
+      {2, {108, 3}, 3, false, kernel<5, T>, half<5, 108, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<5, T>, interleaved<5, T>},
+      {2, {147, 3}, 3, false, kernel<6, T>, half<6, 147, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<6, T>, interleaved<6, T>},
+      {2, {192, 3}, 3, false, kernel<7, T>, half<7, 192, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>, interleaved<7, T>},
+      {2, {243, 3}, 3, false, kernel<8, T>, half<8, 243, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>, interleaved<8, T>},
+      {2, {300, 3}, 3, false, kernel<9, T>, half<9, 300, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>, interleaved<9, T>},
+      {2, {363, 3}, 3, false, kernel<10, T>, half<10, 363, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>, interleaved<10, T>},
+  };
+  drive(call, kPlans[call.degree]);
+}
+template void evaluate_rgb(const detail::Call<float>&);
+template void evaluate_rgb(const detail::Call<double>&);
 
 }  // namespace sh::batch::SH_BATCH_ISA

@@ -10,6 +10,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "drive.hpp"
 #include "lanes.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
@@ -52,11 +53,26 @@ inline Wide multiply_add(const Wide& a, const Wide& b, const Wide& c) noexcept {
 inline Doubles multiply_add(const Doubles& a, const Doubles& b, const Doubles& c) noexcept { return a * b + c; }
 #endif
 
+inline float square_root(float a) noexcept { return std::sqrt(a); }
+inline double square_root(double a) noexcept { return std::sqrt(a); }
+template <class Register>
+Register square_root(const Register& a) noexcept {
+#if defined(__AVX2__)
+  if constexpr (std::is_same_v<Register, Four>) return _mm_sqrt_ps(a);
+  if constexpr (std::is_same_v<Register, Wide>) return _mm256_sqrt_ps(a);
+  if constexpr (std::is_same_v<Register, Doubles>) return _mm256_sqrt_pd(a);
+#endif
+  Register root = a;
+  for (std::size_t i = 0; i < sizeof a / sizeof a[0]; ++i) root[i] = std::sqrt(a[i]);
+  return root;
+}
+
 // A value of one record or of a group: a scalar or a register of them.
 template <class T, class Register>
 class Packed {
  public:
   using value_type = T;
+  using Condition = decltype(Register{} < Register{});  // bool, or a lane of ones where it holds
 
   Packed() noexcept {}  // NOLINT(modernize-use-equals-default): Packed{} must not cost a store
   explicit Packed(T value) noexcept : value_(value - Register{}) {}
@@ -72,8 +88,11 @@ class Packed {
   friend Product<Packed> operator*(const Packed& a, const Packed& b) noexcept { return {a, b}; }
   friend Packed operator/(const Packed& a, const Packed& b) noexcept { return of(a.value_ / b.value_); }
   friend Packed operator-(const Packed& a) noexcept { return of(-a.value_); }
-  friend bool operator<(const Packed& a, const Packed& b) noexcept { return a.value_ < b.value_; }
-  friend Packed sqrt(const Packed& a) noexcept { return of(std::sqrt(a.value_)); }
+  friend auto operator<(const Packed& a, const Packed& b) noexcept { return a.value_ < b.value_; }
+  friend Packed sqrt(const Packed& a) noexcept { return of(square_root(a.value_)); }
+  friend Packed select(const Condition& condition, const Packed& a, const Packed& b) noexcept {
+    return of(condition ? a.value_ : b.value_);
+  }
 
   static Packed product(const Packed& a, const Packed& b) noexcept { return of(a.value_ * b.value_); }
   static Packed multiply_add(const Packed& a, const Packed& b, const Packed& c) noexcept {
@@ -111,32 +130,39 @@ constexpr bool kHoldsColors = sizeof(Color<T>) > 3 * sizeof(T);
 // Whether compilers vectorise a loop over records well enough: those of a few values, of degree 0; with shuffles of two
 // registers those of degree 1, too.
 #if defined(__AVX512F__)
-constexpr std::size_t kVectorised = 8;
+constexpr std::size_t kVectorised = 12;
 #else
 constexpr std::size_t kVectorised = 5;
 #endif
 template <std::size_t Out, std::size_t In>
 constexpr bool kIsVectorised = In + Out <= kVectorised;
 
-// The values of one record, channel by channel: in place or, of an interleaved record, beside it.
+// Rows of an input of which one record serves all others.
+struct Shared : InOrder {};
+
+// Values from one record of such an input to the next.
+template <class Rows, std::size_t Size>
+constexpr std::size_t kStep = std::is_same_v<Rows, Shared> ? 0 : Size;
+
+// The values of one record after the other, channel by channel: in place or, of interleaved records, beside it.
 template <std::size_t Size, class T, class Rows>
 class RecordInputs {
  public:
-  explicit RecordInputs(const T* record) noexcept : record_(record) {
+  explicit RecordInputs(const T* records) noexcept : records_(records) {}
+  [[gnu::always_inline]] const One<T>* at(std::size_t i) noexcept {
+    const T* const record = records_ + i * kStep<Rows, Size>;
     if constexpr (kIsCopied) {
       unrolled(
           std::make_index_sequence<Size>(), [&](std::size_t k) __attribute__((always_inline)) {
             copy_[Rows()(k)] = One<T>::of(record[k]);
           });
     }
-  }
-  [[nodiscard]] const One<T>* values() const noexcept {
-    return kIsCopied ? static_cast<const One<T>*>(copy_) : reinterpret_cast<const One<T>*>(record_);
+    return kIsCopied ? static_cast<const One<T>*>(copy_) : reinterpret_cast<const One<T>*>(record);
   }
 
  private:
-  static constexpr bool kIsCopied = !std::is_same_v<Rows, InOrder>;
-  const T* record_;
+  static constexpr bool kIsCopied = !std::is_base_of_v<InOrder, Rows>;
+  const T* records_;
   One<T> copy_[kIsCopied ? Size : 1];
 };
 
@@ -175,7 +201,13 @@ template <class T>
 // The columns of a group of records of Size values. Count: All<T>, or std::size_t.
 template <std::size_t Size, class Rows, class T, class Count>
 [[gnu::always_inline]] inline void load_group(const T* records, Count count, Group<T>* columns) {
-  if constexpr (Size == 3) {
+  if constexpr (std::is_same_v<Rows, Shared>) {
+    for (std::size_t k = 0; k < Size; ++k) columns[k] = Group<T>(records[k]);
+  } else if constexpr (Size == 1) {
+    typename GroupRegister<T>::type column{};
+    std::memcpy(&column, records, count * sizeof(T));
+    columns[0] = Group<T>::of(column);
+  } else if constexpr (Size == 3) {
     const auto triple = load_triples(records, count);
     columns[0] = Group<T>::of(triple.x);
     columns[1] = Group<T>::of(triple.y);
@@ -260,12 +292,14 @@ constexpr bool kTakesParts = false;
 #endif
 
 // The most records that are faster one by one than as a part of a group, as measured (tests/bench/plain_targets.cpp): all at
-// degree 0; of eight lanes three where records are short, or have three outputs, and where clang stores many values.
+// degree 0; of eight lanes three where records are short, or have three outputs, and where clang stores many values, unless there
+// is much to turn on both sides.
 template <class T, std::size_t Out, std::size_t In>
 constexpr std::size_t most_single() {
   if (kGroup<T> == 1 || In + Out <= 5) return std::numeric_limits<std::size_t>::max();
   if (!kTakesParts) return kGroup<T> - 1;
   if (kGroup<T> < 8) return In + Out < 20 ? 2 : 1;
+  if (In > 3 && Out > 3) return 2;
 #if defined(__clang__)
   if (Out >= 9 && In + Out < 40) return 3;
 #endif
@@ -282,28 +316,50 @@ constexpr bool kHasSlowPairs = false;
 constexpr bool kHasSlowPairs = kTakesParts && sizeof(T) == sizeof(double) && In + Out > 50;
 #endif
 
+// The most plain records of two inputs that groups are faster for than registers of blocks: all, since blocks have to be turned
+// first. Where there are no groups, short records go one by one, and of others those that single_records() tells.
+template <class T>
+constexpr std::size_t grouped_records(int degree, std::size_t of_sixteen) {
+  const bool all = kGroup<T> > 1 || degree <= 1;
+  return all ? std::numeric_limits<std::size_t>::max() : single_records<T>(of_sixteen);
+}
+
 // Calls kernel(in, out) for a group of records of InA and of InB values (0: there is one input), to records of Out values.
-// Rows: the columns of the values of the first input.
+// Rows: the columns of the values of the first input; shared: its columns if it is shared.
 template <class T, class Rows, std::size_t Out, std::size_t InA, std::size_t InB, class Count, class Kernel>
-[[gnu::always_inline]] inline void run_group(const T* a, const T* b, Count count, T* to, const Kernel& kernel) {
-  Group<T> values[InA + InB];
-  load_group<InA, Rows>(a, count, static_cast<Group<T>*>(values));
-  if constexpr (InB > 0) load_group<InB, InOrder>(b, count, values + InA);
-  const Group<T>* const in[] = {values, values + InA};
+[[gnu::always_inline]] inline void run_group(const Group<T>* shared, const T* a, const T* b, Count count, T* to,
+                                             const Kernel& kernel) {
+  constexpr std::size_t kFirst = kStep<Rows, InA>;
+  Group<T> values[kFirst + InB];
+  if constexpr (kFirst > 0) load_group<InA, Rows>(a, count, static_cast<Group<T>*>(values));
+  if constexpr (InB > 0) load_group<InB, InOrder>(b, count, values + kFirst);
+  const Group<T>* const in[] = {kFirst > 0 ? static_cast<const Group<T>*>(values) : shared, values + kFirst};
   Group<T> out[Out];
   kernel(static_cast<const Group<T>* const*>(in), static_cast<Group<T>*>(out));
   store_group<Out>(static_cast<const Group<T>*>(out), count, to);
 }
 
+// The columns of a first input that is shared, once for all groups.
+template <std::size_t InA, class Rows, class T>
+struct SharedColumns {
+  static constexpr std::size_t kSize = std::is_same_v<Rows, Shared> ? InA : 1;
+  explicit SharedColumns(const T* a) noexcept {
+    if constexpr (std::is_same_v<Rows, Shared>) load_group<InA, Rows>(a, All<T>(), static_cast<Group<T>*>(columns));
+  }
+  Group<T> columns[kSize];
+};
+
 // The same for `count` whole groups.
 template <class T, class Rows, std::size_t Out, std::size_t InA, std::size_t InB = 0, class Kernel>
 [[gnu::always_inline]] inline void for_every_group(const T* a, const T* b, std::size_t count, T* to,
                                                    const Kernel& kernel) {
+  constexpr std::size_t kFirst = kStep<Rows, InA>;
   if constexpr (kMostSingle<T, Out, InA + InB> < kGroup<T>) {
+    const SharedColumns<InA, Rows, T> shared(a);
     for (std::size_t i = 0; i < count * kGroup<T>; i += kGroup<T>) {
-      prefetch_records<InA>(a + i * InA);
+      if constexpr (kFirst > 0) prefetch_records<InA>(a + i * InA);
       if constexpr (InB > 0) prefetch_records<InB>(b + i * InB);
-      run_group<T, Rows, Out, InA, InB>(a + i * InA, b + i * InB, All<T>(), to + i * Out, kernel);
+      run_group<T, Rows, Out, InA, InB>(shared.columns, a + i * kFirst, b + i * InB, All<T>(), to + i * Out, kernel);
     }
   }
 }
@@ -315,14 +371,15 @@ template <class T, class Rows, std::size_t Out, std::size_t InA, std::size_t InB
   constexpr std::size_t kFewer = kMostSingle<T, Out, InA + InB>;
   if constexpr (kFewer < kGroup<T> - 1) {
     if (count <= kFewer || count >= kGroup<T>) __builtin_unreachable();
-    run_group<T, Rows, Out, InA, InB>(a, b, count, to, kernel);
+    const SharedColumns<InA, Rows, T> shared(a);
+    run_group<T, Rows, Out, InA, InB>(shared.columns, a, b, count, to, kernel);
   }
 }
 
 // n records by groups. Those that are left over are part of a group that ends with the last record, which computes some
 // again, from inputs that must still be there, or part of a group of their own.
-template <class T, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Groups, detail::RecordKernel<T> Part,
-          std::size_t Out, std::size_t InA, std::size_t InB = 0>
+template <class T, class Rows, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Groups,
+          detail::RecordKernel<T> Part, std::size_t Out, std::size_t InA, std::size_t InB = 0>
 [[gnu::noinline]] void run_groups(const T* a, const T* b, std::size_t n, T* to) {
   const std::size_t whole = n / kGroup<T>;
   const std::size_t rest = n % kGroup<T>;
@@ -330,7 +387,7 @@ template <class T, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Gro
   Groups(a, b, whole, to);
   if (rest == 0) return;
   const std::size_t first = may_overlap ? n - kGroup<T> : whole * kGroup<T>;
-  a += first * InA;
+  a += first * kStep<Rows, InA>;
   b += first * InB;
   to += first * Out;
   if (may_overlap) return Groups(a, b, 1, to);
@@ -339,8 +396,8 @@ template <class T, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Gro
 }
 
 // n records. A call of few saves no registers for groups.
-template <class T, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Groups, detail::RecordKernel<T> Part,
-          std::size_t Out, std::size_t InA, std::size_t InB = 0>
+template <class T, class Rows, detail::RecordKernel<T> OneByOne, detail::RecordKernel<T> Groups,
+          detail::RecordKernel<T> Part, std::size_t Out, std::size_t InA, std::size_t InB = 0>
 inline void run_records(const T* a, const T* b, std::size_t n, T* to) {
   if (n <= kMostSingle<T, Out, InA + InB>) return OneByOne(a, b, n, to);
   if constexpr (kHasSlowPairs<T, Out, InA + InB>) {
@@ -348,32 +405,35 @@ inline void run_records(const T* a, const T* b, std::size_t n, T* to) {
   }
   if constexpr (kMostSingle<T, Out, InA + InB> < kGroup<T>) {
     if (n < kGroup<T>) return Part(a, b, n, to);
-    if (!kIsVectorised<Out, InA + InB> || n < 2 * kGroup<T>) {
-      return run_groups<T, OneByOne, Groups, Part, Out, InA, InB>(a, b, n, to);
+    if (!kIsVectorised<Out, kStep<Rows, InA> + InB> || n < 2 * kGroup<T>) {
+      return run_groups<T, Rows, OneByOne, Groups, Part, Out, InA, InB>(a, b, n, to);
     }
     OneByOne(a, b, n, to);
   }
 }
 
-// Calls kernel(in, out) for every record; in[j] and out are arrays of One. records: blocks of one record.
-template <int Inputs, class T, class Kernel>
-[[gnu::always_inline]] inline void for_every_record(const Blocks<T> records, const Kernel& kernel) {
-  for (std::size_t i = 0; i < records.count; ++i) {
-    const One<T>* in[Inputs];
-    for (int j = 0; j < Inputs; ++j) in[j] = reinterpret_cast<const One<T>*>(records.in[j] + i * records.step[j]);
-    kernel(static_cast<const One<T>* const*>(in), reinterpret_cast<One<T>*>(records.out + i * records.out_step));
+// Calls kernel(in, out) for n plain records, one after the other; in[j] and out are arrays of One. is_shared: there is one `a`
+// for all.
+template <std::size_t Out, std::size_t InA, std::size_t InB, class T, class Kernel>
+[[gnu::always_inline]] inline void for_every_record(const T* a, bool is_shared, const T* b, std::size_t n, T* to,
+                                                    const Kernel& kernel) {
+  const std::size_t step = is_shared ? 0 : InA;
+  for (std::size_t i = 0; i < n; ++i) {
+    const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a + i * step),
+                                reinterpret_cast<const One<T>*>(b + i * InB)};
+    kernel(static_cast<const One<T>* const*>(in), reinterpret_cast<One<T>*>(to + i * Out));
     keep_order();
   }
 }
 
-// Calls kernel(in, out) for n interleaved records `b` of Size values a channel, where `a`, of Shared values, serves all: in
+// Calls kernel(in, out) for n interleaved records `b` of Size values a channel, where `a`, of InA values, serves all: in
 // registers that hold the channels of a value. to may be b.
-template <std::size_t Shared, std::size_t Size, class T, class Kernel>
+template <std::size_t InA, std::size_t Size, class T, class Kernel>
 [[gnu::always_inline]] inline void for_every_color(const T* a, const T* b, std::size_t n, T* to, const Kernel& kernel) {
   using Register = typename ColorRegister<T>::type;
   constexpr std::size_t kLast = Size - 1;  // the lane that serves nobody would lie behind the record
-  Color<T> shared[Shared];
-  for (std::size_t k = 0; k < Shared; ++k) shared[k] = Color<T>(a[k]);
+  Color<T> shared[InA];
+  for (std::size_t k = 0; k < InA; ++k) shared[k] = Color<T>(a[k]);
   for (std::size_t i = 0; i < n; ++i) {
     const T* const from = b + i * 3 * Size;
     T* const record = to + i * 3 * Size;

@@ -17,55 +17,85 @@ template <int Degree, class T>
   });
 }
 
-template <int Degree, class T>
-[[gnu::flatten]] void one_by_one(const Blocks<T>& records) {
-  for_every_record<2>(records, [](const One<T>* const* in, One<T>* out) {
+template <int Degree, class T, class Rows = InOrder>
+[[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* b, std::size_t n, T* to) {
+  RecordInputs<((Degree + 1) * (Degree + 1)), T, Rows> first(a);
+  for (std::size_t i = 0; i < n; ++i) {
+    const One<T>* const in[] = {first.at(i), reinterpret_cast<const One<T>*>(b) + i * ((Degree + 1) * (Degree + 1))};
+    RecordValues<((Degree + 1) * (Degree + 1)), kStep<Rows, ((Degree + 1) * (Degree + 1))> + ((Degree + 1) * (Degree + 1)), T> record(to + i * ((Degree + 1) * (Degree + 1)));
+    One<T>* const out = record.values();
+    sh::product<Degree>(in[0], in[1], out);
+    record.keep();
+  }
+}
+
+template <int Degree, class T, class Rows = InOrder>
+[[gnu::flatten]] void in_groups(const T* a, const T* b, std::size_t count, T* to) {
+  for_every_group<T, Rows, ((Degree + 1) * (Degree + 1)), ((Degree + 1) * (Degree + 1)), ((Degree + 1) * (Degree + 1))>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     sh::product<Degree>(in[0], in[1], out);
   });
 }
 
+template <int Degree, class T, class Rows = InOrder>
+[[gnu::flatten]] void in_part(const T* a, const T* b, std::size_t count, T* to) {
+  for_part_of_group<T, Rows, ((Degree + 1) * (Degree + 1)), ((Degree + 1) * (Degree + 1)), ((Degree + 1) * (Degree + 1))>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+    sh::product<Degree>(in[0], in[1], out);
+  });
+}
+
+template <int Degree, class T, class Rows = InOrder>
+void records(const T* a, const T* b, std::size_t n, T* to) {
+  run_records<T, Rows, one_by_one<Degree, T, Rows>, in_groups<Degree, T, Rows>, in_part<Degree, T, Rows>, ((Degree + 1) * (Degree + 1)), ((Degree + 1) * (Degree + 1)), ((Degree + 1) * (Degree + 1))>(a, b, n, to);
+}
+
 template <int Degree, class T>
 void few(const T* a, bool is_shared, const T* b, std::size_t n, T* to) {
-  one_by_one<Degree>(single_blocks<T, ((Degree + 1) * (Degree + 1)), ((Degree + 1) * (Degree + 1)), ((Degree + 1) * (Degree + 1))>(a, is_shared, b, n, to));
+  if constexpr (Degree <= 3) {
+    if (is_shared) return records<Degree, T, Shared>(a, b, n, to);
+    records<Degree, T>(a, b, n, to);
+  } else {
+    const auto kernel = [](const One<T>* const* in, One<T>* out) __attribute__((noinline)) { sh::product<Degree>(in[0], in[1], out); };
+    for_every_record<((Degree + 1) * (Degree + 1)), ((Degree + 1) * (Degree + 1)), ((Degree + 1) * (Degree + 1))>(a, is_shared, b, n, to, kernel);
+  }
 }
 
 }  // namespace
 
+extern const detail::SingleKernels<float> product_float[];
+const detail::SingleKernels<float> product_float[] = {
+    {few<0, float>, grouped_records<float>(0, 10), single_records<float>(10) / 2},
+    {few<1, float>, grouped_records<float>(1, 10), single_records<float>(10) / 2},
+    {few<2, float>, grouped_records<float>(2, 10), single_records<float>(10) / 2},
+    {few<3, float>, grouped_records<float>(3, 7), single_records<float>(7) / 2},
+    {few<4, float>, single_records<float>(4), single_records<float>(4) / 2},
+    {few<5, float>, single_records<float>(3), single_records<float>(3) / 2},
+    {few<6, float>, single_records<float>(3), single_records<float>(3) / 2},
+};
+extern const detail::SingleKernels<double> product_double[];
+const detail::SingleKernels<double> product_double[] = {
+    {few<0, double>, grouped_records<double>(0, 10), single_records<double>(10) / 2},
+    {few<1, double>, grouped_records<double>(1, 10), single_records<double>(10) / 2},
+    {few<2, double>, grouped_records<double>(2, 10), single_records<double>(10) / 2},
+    {few<3, double>, grouped_records<double>(3, 7), single_records<double>(7) / 2},
+    {few<4, double>, single_records<double>(4), single_records<double>(4) / 2},
+    {few<5, double>, single_records<double>(3), single_records<double>(3) / 2},
+    {few<6, double>, single_records<double>(3), single_records<double>(3) / 2},
+};
+
 template <class T>
 void product(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {1, 1}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<0, T>, single_records<T>(10)},
-      {2, {4, 4}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<1, T>, single_records<T>(10)},
-      {2, {9, 9}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<2, T>, single_records<T>(10)},
-      {2, {16, 16}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<3, T>, single_records<T>(7)},
-      {2, {25, 25}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<4, T>, single_records<T>(4)},
-      {2, {36, 36}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<5, T>, single_records<T>(3)},
-      {2, {49, 49}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<6, T>, single_records<T>(3)},
+      {2, {1, 1}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 0},
+      {2, {4, 4}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 1},
+      {2, {9, 9}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 2},
+      {2, {16, 16}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 3},
+      {2, {25, 25}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 4},
+      {2, {36, 36}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 5},
+      {2, {49, 49}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 6},
   };
   drive(call, kPlans[call.degree]);
 }
 template void product(const detail::Call<float>&);
 template void product(const detail::Call<double>&);
-
-extern const detail::SingleKernels<float> product_float[];
-const detail::SingleKernels<float> product_float[] = {
-    {few<0, float>, single_plain_records<float>(10, 3)},
-    {few<1, float>, single_plain_records<float>(10, 12)},
-    {few<2, float>, single_plain_records<float>(10, 27)},
-    {few<3, float>, single_plain_records<float>(7, 48)},
-    {few<4, float>, single_plain_records<float>(4, 75)},
-    {few<5, float>, single_plain_records<float>(3, 108)},
-    {few<6, float>, single_plain_records<float>(3, 147)},
-};
-extern const detail::SingleKernels<double> product_double[];
-const detail::SingleKernels<double> product_double[] = {
-    {few<0, double>, single_plain_records<double>(10, 3)},
-    {few<1, double>, single_plain_records<double>(10, 12)},
-    {few<2, double>, single_plain_records<double>(10, 27)},
-    {few<3, double>, single_plain_records<double>(7, 48)},
-    {few<4, double>, single_plain_records<double>(4, 75)},
-    {few<5, double>, single_plain_records<double>(3, 108)},
-    {few<6, double>, single_plain_records<double>(3, 147)},
-};
 
 }  // namespace sh::batch::SH_BATCH_ISA

@@ -27,6 +27,7 @@ template <int Degree, class T>
 
 }  // namespace
 
+
 template <class T>
 void project(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {

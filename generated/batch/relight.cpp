@@ -6,6 +6,7 @@
 
 namespace sh::batch::SH_BATCH_ISA {
 
+
 template <class T>
 void relight(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {

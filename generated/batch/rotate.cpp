@@ -17,16 +17,46 @@ template <int Degree, class T>
   });
 }
 
-template <int Degree, class T>
-[[gnu::flatten]] void one_by_one(const Blocks<T>& records) {
-  for_every_record<2>(records, [](const One<T>* const* in, One<T>* out) {
+template <int Degree, class T, class Rows = InOrder>
+[[gnu::flatten, gnu::noinline]] void one_by_one(const T* a, const T* b, std::size_t n, T* to) {
+  RecordInputs<9, T, Rows> first(a);
+  for (std::size_t i = 0; i < n; ++i) {
+    const One<T>* const in[] = {first.at(i), reinterpret_cast<const One<T>*>(b) + i * ((Degree + 1) * (Degree + 1))};
+    RecordValues<((Degree + 1) * (Degree + 1)), kStep<Rows, 9> + ((Degree + 1) * (Degree + 1)), T> record(to + i * ((Degree + 1) * (Degree + 1)));
+    One<T>* const out = record.values();
+    sh::rotate<Degree>(in[0], in[1], out);
+    record.keep();
+  }
+}
+
+template <int Degree, class T, class Rows = InOrder>
+[[gnu::flatten]] void in_groups(const T* a, const T* b, std::size_t count, T* to) {
+  for_every_group<T, Rows, ((Degree + 1) * (Degree + 1)), 9, ((Degree + 1) * (Degree + 1))>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
     sh::rotate<Degree>(in[0], in[1], out);
   });
 }
 
+template <int Degree, class T, class Rows = InOrder>
+[[gnu::flatten]] void in_part(const T* a, const T* b, std::size_t count, T* to) {
+  for_part_of_group<T, Rows, ((Degree + 1) * (Degree + 1)), 9, ((Degree + 1) * (Degree + 1))>(a, b, count, to, [](const Group<T>* const* in, Group<T>* out) {
+    sh::rotate<Degree>(in[0], in[1], out);
+  });
+}
+
+template <int Degree, class T, class Rows = InOrder>
+void records(const T* a, const T* b, std::size_t n, T* to) {
+  run_records<T, Rows, one_by_one<Degree, T, Rows>, in_groups<Degree, T, Rows>, in_part<Degree, T, Rows>, ((Degree + 1) * (Degree + 1)), 9, ((Degree + 1) * (Degree + 1))>(a, b, n, to);
+}
+
 template <int Degree, class T>
 void few(const T* a, bool is_shared, const T* b, std::size_t n, T* to) {
-  one_by_one<Degree>(single_blocks<T, ((Degree + 1) * (Degree + 1)), 9, ((Degree + 1) * (Degree + 1))>(a, is_shared, b, n, to));
+  if constexpr (Degree <= 4) {
+    if (is_shared) return records<Degree, T, Shared>(a, b, n, to);
+    records<Degree, T>(a, b, n, to);
+  } else {
+    const auto kernel = [](const One<T>* const* in, One<T>* out) __attribute__((noinline)) { sh::rotate<Degree>(in[0], in[1], out); };
+    for_every_record<((Degree + 1) * (Degree + 1)), 9, ((Degree + 1) * (Degree + 1))>(a, is_shared, b, n, to, kernel);
+  }
 }
 
 template <int Degree, class T>
@@ -44,53 +74,53 @@ constexpr detail::RecordKernel<T> colors() {
 
 }  // namespace
 
+extern const detail::SingleKernels<float> rotate_float[];
+const detail::SingleKernels<float> rotate_float[] = {
+    {few<0, float>, grouped_records<float>(0, 10), single_records<float>(10) / 2, colors<0, float>()},
+    {few<1, float>, grouped_records<float>(1, 10), single_records<float>(10) / 2, colors<1, float>()},
+    {few<2, float>, grouped_records<float>(2, 10), single_records<float>(10) / 2, colors<2, float>()},
+    {few<3, float>, grouped_records<float>(3, 10), single_records<float>(10) / 2, colors<3, float>()},
+    {few<4, float>, grouped_records<float>(4, 10), single_records<float>(10) / 2, colors<4, float>()},
+    {few<5, float>, single_records<float>(8), single_records<float>(8) / 2, colors<5, float>()},
+    {few<6, float>, single_records<float>(8), single_records<float>(8) / 2, colors<6, float>()},
+    {few<7, float>, single_records<float>(8), single_records<float>(8) / 2, colors<7, float>()},
+    {few<8, float>, single_records<float>(8), single_records<float>(8) / 2, colors<8, float>()},
+    {few<9, float>, single_records<float>(8), single_records<float>(8) / 2, colors<9, float>()},
+    {few<10, float>, single_records<float>(8), single_records<float>(8) / 2, colors<10, float>()},
+};
+extern const detail::SingleKernels<double> rotate_double[];
+const detail::SingleKernels<double> rotate_double[] = {
+    {few<0, double>, grouped_records<double>(0, 10), single_records<double>(10) / 2, colors<0, double>()},
+    {few<1, double>, grouped_records<double>(1, 10), single_records<double>(10) / 2, colors<1, double>()},
+    {few<2, double>, grouped_records<double>(2, 10), single_records<double>(10) / 2, colors<2, double>()},
+    {few<3, double>, grouped_records<double>(3, 10), single_records<double>(10) / 2, colors<3, double>()},
+    {few<4, double>, grouped_records<double>(4, 10), single_records<double>(10) / 2, colors<4, double>()},
+    {few<5, double>, single_records<double>(8), single_records<double>(8) / 2, colors<5, double>()},
+    {few<6, double>, single_records<double>(8), single_records<double>(8) / 2, colors<6, double>()},
+    {few<7, double>, single_records<double>(8), single_records<double>(8) / 2, colors<7, double>()},
+    {few<8, double>, single_records<double>(8), single_records<double>(8) / 2, colors<8, double>()},
+    {few<9, double>, single_records<double>(8), single_records<double>(8) / 2, colors<9, double>()},
+    {few<10, double>, single_records<double>(8), single_records<double>(8) / 2, colors<10, double>()},
+};
+
 template <class T>
 void rotate(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {9, 1}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<0, T>, single_records<T>(10)},
-      {2, {9, 4}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<1, T>, single_records<T>(10), colors<1, T>()},
-      {2, {9, 9}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<2, T>, single_records<T>(10)},
-      {2, {9, 16}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<3, T>, single_records<T>(10)},
-      {2, {9, 25}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<4, T>, single_records<T>(10)},
-      {2, {9, 36}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<5, T>, single_records<T>(8)},
-      {2, {9, 49}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<6, T>, single_records<T>(8)},
-      {2, {9, 64}, 64, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<7, T>, single_records<T>(8)},
-      {2, {9, 81}, 81, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<8, T>, single_records<T>(8)},
-      {2, {9, 100}, 100, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<9, T>, single_records<T>(8)},
-      {2, {9, 121}, 121, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, one_by_one<10, T>, single_records<T>(8)},
+      {2, {9, 1}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(rotate_float, rotate_double) + 0},
+      {2, {9, 4}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(rotate_float, rotate_double) + 1},
+      {2, {9, 9}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(rotate_float, rotate_double) + 2},
+      {2, {9, 16}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(rotate_float, rotate_double) + 3},
+      {2, {9, 25}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(rotate_float, rotate_double) + 4},
+      {2, {9, 36}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(rotate_float, rotate_double) + 5},
+      {2, {9, 49}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(rotate_float, rotate_double) + 6},
+      {2, {9, 64}, 64, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(rotate_float, rotate_double) + 7},
+      {2, {9, 81}, 81, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(rotate_float, rotate_double) + 8},
+      {2, {9, 100}, 100, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(rotate_float, rotate_double) + 9},
+      {2, {9, 121}, 121, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(rotate_float, rotate_double) + 10},
   };
   drive(call, kPlans[call.degree]);
 }
 template void rotate(const detail::Call<float>&);
 template void rotate(const detail::Call<double>&);
-
-extern const detail::SingleKernels<float> rotate_float[];
-const detail::SingleKernels<float> rotate_float[] = {
-    {few<0, float>, single_plain_records<float>(10, 11)},
-    {few<1, float>, single_plain_records<float>(10, 17)},
-    {few<2, float>, single_plain_records<float>(10, 27)},
-    {few<3, float>, single_plain_records<float>(10, 41)},
-    {few<4, float>, single_plain_records<float>(10, 59)},
-    {few<5, float>, single_plain_records<float>(8, 81)},
-    {few<6, float>, single_plain_records<float>(8, 107)},
-    {few<7, float>, single_plain_records<float>(8, 137)},
-    {few<8, float>, single_plain_records<float>(8, 171)},
-    {few<9, float>, single_plain_records<float>(8, 209)},
-    {few<10, float>, single_plain_records<float>(8, 251)},
-};
-extern const detail::SingleKernels<double> rotate_double[];
-const detail::SingleKernels<double> rotate_double[] = {
-    {few<0, double>, single_plain_records<double>(10, 11)},
-    {few<1, double>, single_plain_records<double>(10, 17)},
-    {few<2, double>, single_plain_records<double>(10, 27)},
-    {few<3, double>, single_plain_records<double>(10, 41)},
-    {few<4, double>, single_plain_records<double>(10, 59)},
-    {few<5, double>, single_plain_records<double>(8, 81)},
-    {few<6, double>, single_plain_records<double>(8, 107)},
-    {few<7, double>, single_plain_records<double>(8, 137)},
-    {few<8, double>, single_plain_records<double>(8, 171)},
-    {few<9, double>, single_plain_records<double>(8, 209)},
-    {few<10, double>, single_plain_records<double>(8, 251)},
-};
 
 }  // namespace sh::batch::SH_BATCH_ISA

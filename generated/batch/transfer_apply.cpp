@@ -44,6 +44,7 @@ constexpr BlockKernel<T> half() {
 
 }  // namespace
 
+
 template <class T>
 void transfer_apply(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {

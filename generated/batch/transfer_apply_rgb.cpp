@@ -44,6 +44,7 @@ constexpr BlockKernel<T> half() {
 
 }  // namespace
 
+
 template <class T>
 void transfer_apply_rgb(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {

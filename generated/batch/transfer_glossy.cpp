@@ -35,6 +35,7 @@ constexpr BlockKernel<T> half() {
 
 }  // namespace
 
+
 template <class T>
 void transfer_glossy(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {

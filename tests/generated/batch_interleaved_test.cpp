@@ -133,7 +133,7 @@ void expect_channels(const Colors<T>& c, const One& one, const Three& three) {
 TYPED_TEST(BatchInterleaved, RotatesEachChannelByTheSameMatrix) {
   using T = TypeParam;
   std::mt19937 random(8);
-  at_every_length({0, 1, 2, 3, 7, 10}, [&](int degree, std::size_t n) {
+  at_every_length({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, [&](int degree, std::size_t n) {
     const auto rotations = random_rotations<T>(n + 1, random);
     std::vector<T> in_blocks(batch::blocked_size<T>(n, 9) + 1);
     constexpr std::size_t kBlock = batch::kBlock<T>;
@@ -156,7 +156,7 @@ TYPED_TEST(BatchInterleaved, RotatesEachChannelByTheSameMatrix) {
 TYPED_TEST(BatchInterleaved, MultipliesEachChannelByOneFunctionOrByItsOwn) {
   using T = TypeParam;
   std::mt19937 random(9);
-  at_every_length({0, 1, 2, 6}, [&](int degree, std::size_t n) {
+  at_every_length({0, 1, 2, 3, 4, 6}, [&](int degree, std::size_t n) {
     const auto values = static_cast<std::size_t>(coefficient_count(degree));
     const auto one = random_values<T>(n * values + values, random);
     for (const Records<const T> a :

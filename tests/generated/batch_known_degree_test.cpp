@@ -72,6 +72,20 @@ void expect_families(std::size_t n, Layout in, Layout out) {
   expect_same<Degree, T>("evaluate_rgb", n, 3, [&](auto degree, T* values) {
     batch::evaluate_rgb(degree, n, coefficients, directions, to(values));
   });
+  const Records<const T> one{d.data(), Layout::kShared};
+  for (const auto& first : {coefficients, one}) {
+    if constexpr (Degree <= 6) {
+      expect_same<Degree, T>("product", n, kSize, [&](auto degree, T* values) {
+        batch::product(degree, n, first, coefficients, to(values));
+      });
+    }
+  }
+  const std::vector<T> r = any_numbers<T>(batch::blocked_size<T>(n + 1, 9));
+  for (const Records<const T>& matrices : {Records<const T>{r.data(), in}, Records<const T>{r.data(), Layout::kShared}}) {
+    expect_same<Degree, T>("rotate", n, kSize, [&](auto degree, T* values) {
+      batch::rotate(degree, n, matrices, coefficients, to(values));
+    });
+  }
 }
 
 template <class T, int... Degree>
@@ -112,6 +126,15 @@ TYPED_TEST(KnownDegrees, HaveTheBitsOfUnknownOnesWhereTheCompilerKnowsTheLayout)
       });
       expect_same<0, T>("evaluate", n, 1, [&](auto degree, T* out) {
         batch::evaluate(degree, n, batch::plain(c.data()), batch::plain(d.data()), batch::plain(out));
+      });
+      expect_same<0, T>("rotate", n, 1, [&](auto degree, T* out) {
+        batch::rotate(degree, n, batch::shared(d.data()), batch::plain(c.data()), batch::plain(out));
+      });
+      expect_same<0, T>("product", n, 1, [&](auto degree, T* out) {
+        batch::product(degree, n, batch::plain(d.data()), batch::plain(c.data()), batch::plain(out));
+      });
+      expect_same<0, T>("product", n, 1, [&](auto degree, T* out) {
+        batch::product(degree, n, batch::shared(d.data()), batch::plain(c.data()), batch::plain(out));
       });
     });
   }
