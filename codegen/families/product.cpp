@@ -227,8 +227,10 @@ Family rectangular_product_family(int left_degree, int right_degree, int degree)
 }
 
 std::vector<Family> product_families() {
-  const BatchDriver batch{
-      .what = "Products of two functions, projected on the same bands", .single = {10, 10, 10, 7, 4, 3}, .grouped = 3, .largest = 6};
+  const BatchDriver batch{.what = "Products of two functions, projected on the same bands",
+                          .single = {10, 10, 10, 7, 4, 3},
+                          .grouped = 3,
+                          .largest = 6};
   return {{.name = "product",
            .largest_emitted = kLargestEmitted,
            .limit = kLimit,

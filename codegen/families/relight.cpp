@@ -32,7 +32,9 @@ Inputs relight_inputs(int degree, int channels) {
   return vectors;
 }
 
-Family relight_family(const std::string& name, int transfer_channels, int light_channels, const std::string& what) {
+// single, grouped: BatchDriver.
+Family relight_family(const std::string& name, int transfer_channels, int light_channels, const std::string& what,
+                      const std::vector<int>& single, int grouped) {
   const std::string transfer = transfer_channels == 1 ? "|transfer|" : "|transfer[k]|";
   const std::string light = light_channels == 1 ? "|light|" : "|light[k]|";
   return {
@@ -44,15 +46,17 @@ Family relight_family(const std::string& name, int transfer_channels, int light_
                  .unit = "|transfer| |light| of a channel",
                  .test_inputs = [=](int degree) { return relight_inputs(degree, transfer_channels + light_channels); },
                  .sizes = {transfer + " " + light}},
-      .batch = BatchDriver{.what = what, .half = true, .scalar_products = true}};
+      .batch = BatchDriver{.what = what, .half = true, .scalar_products = true, .single = single, .grouped = grouped}};
 }
 
 }  // namespace
 
 std::vector<Family> relight_families() {
-  return {relight_family("relight", 1, 1, "Exit radiance of diffuse vertices under a light of one channel"),
-          relight_family("relight_rgb", 1, 3, "The same under a light of three channels"),
-          relight_family("relight_colored", 3, 3, "The same where transfer has three channels, too")};
+  return {relight_family("relight", 1, 1, "Exit radiance of diffuse vertices under a light of one channel",
+                         {15, 15, 15, 14, 11, 9, 7, 6}, 4),
+          relight_family("relight_rgb", 1, 3, "The same under a light of three channels", {12, 12, 8, 6, 5, 4, 3}, 3),
+          relight_family("relight_colored", 3, 3, "The same where transfer has three channels, too",
+                         {16, 16, 12, 10, 8, 6, 5, 4}, -1)};
 }
 
 }  // namespace sh::codegen

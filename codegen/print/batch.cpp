@@ -55,7 +55,7 @@ std::string size_in_code(int size, int degree) {
   return size % count == 0 ? "{" + std::to_string(size / count) + ", 0}" : "{0, " + std::to_string(size) + "}";
 }
 
-bool has_table(const Driver& driver) { return driver.spec.groups || !driver.spec.single.empty(); }
+bool has_table(const Driver& driver) { return driver.spec.groups || driver.has_few(); }
 bool is_direct(const Driver& driver, const Overload& types) { return has_table(driver) && types.first != "Half"; }
 
 // "SingleKernels<float>": what its table holds by degree.
@@ -72,12 +72,12 @@ std::string any_signature(const Driver& driver, const std::string& scalar, const
 }
 
 // Whether the first input may be shared in a call that needs no driver.
-bool may_share(const Driver& driver) { return !driver.spec.single.empty(); }
+bool may_share(const Driver& driver) { return driver.has_few(); }
 
 // The degrees at which a loop over plain records in the caller serves: those that add nothing, so that every compiler rounds
 // alike.
 std::span<const FinishedKernel> kernels_in_caller(const Driver& driver) {
-  return driver.kernels.first(has_table(driver) ? last_without_sums(driver) + 1 : 0);
+  return driver.kernels.first(driver.has_records() ? last_without_sums(driver) + 1 : 0);
 }
 
 std::string loop_in_caller(const Driver& driver, const Kernel& kernel) {
@@ -87,7 +87,8 @@ std::string loop_in_caller(const Driver& driver, const Kernel& kernel) {
     const bool may_be_one = may_share(driver) && records.empty();
     const std::string size = std::to_string(record.size);
     parameters += ", const T* " + record.name + (may_be_one ? ", bool is_shared" : "");
-    records += (records.empty() ? "" : ", ") + record.name + (may_be_one ? " + (is_shared ? 0 : i * " + size + ")" : " + i * " + size);
+    records += (records.empty() ? "" : ", ") + record.name +
+               (may_be_one ? " + (is_shared ? 0 : i * " + size + ")" : " + i * " + size);
   }
   return filled(R"(template <class T>
 [[gnu::always_inline]] inline void loop_$name(std::size_t n$parameters, T* to) {
@@ -132,20 +133,22 @@ std::string branches_to_loops(const Driver& driver) {
 std::string direct_function(const Driver& driver, const Overload& types) {
   const RecordSignature s = signature_of(driver.last());
   std::string inputs;
-  for (const Record& record : s.inputs) inputs += ", " + record.name;
+  for (const Record& record : s.inputs) inputs += ", " + (record.shared ? "shared(" + record.name + ")" : record.name);
+  std::string run = "run_direct<";
+  if (driver.has_few()) run = std::string("run_single<Layout::") + (s.inputs[1].shared ? "kShared, " : "kPlain, ");
   return filled(R"([[gnu::always_inline]] inline $signature {
   if (!detail::are_given($out$inputs)) return detail::run_any<$t>(detail::run_$name, degree, n, $out$inputs);
-$loops  detail::$run<$t>(detail::$table, detail::run_$name, degree, $degree, n, $out$inputs);
+$loops  detail::$run$t>(detail::$table, detail::run_$name, degree, $degree, n, $out$inputs);
 }
 )",
                 {{"signature", public_signature(driver, types)},
                  {"loops", branches_to_loops(driver)},
-                 {"run", driver.spec.groups ? "run_direct" : "run_single"},
+                 {"run", run},
                  {"t", types.scalar},
                  {"table", table_of_direct(driver, types.scalar)},
                  {"degree", std::to_string(driver.last().degree)},
                  {"name", driver.name},
-                 {"out", s.out},
+                 {"out", s.sums ? "plain(" + s.out + ")" : s.out},
                  {"inputs", inputs}});
 }
 

@@ -226,24 +226,60 @@ int most_single(const Driver& driver, int degree) {
   return single[std::min(static_cast<std::size_t>(degree), single.size() - 1)];
 }
 
-// Kernels of few records, and of the channels of interleaved ones.
-std::string few_kernels(const Driver& driver) {
-  const Kernel& kernel = driver.last();
-  std::map<std::string, std::string> parts = parts_of_records(kernel);
-  parts["grouped"] = std::to_string(driver.spec.grouped);
-  const std::string text = filled(R"(template <int Degree, class T>
-void few(const T* a, bool is_shared, const T* b, std::size_t n, T* to) {
-  if constexpr (Degree <= $grouped) {
+// The body of a kernel of few records: by groups at low degrees, else one after the other; `b` that serves all; a sum.
+std::string_view few_body(const Driver& driver) {
+  if (signature_of(driver.last()).sums) {
+    return R"(  sum_every_record<$size, $first$further>(a, is_shared, b, n, to, [](const One<T>* const* in, One<T>* out) {
+    $call
+  });
+)";
+  }
+  if (driver.spec.scalar_products) {
+    return R"(  std::size_t first = 0;
+  if constexpr (Degree >= 1 && Degree <= $grouped && sizeof(T) == sizeof(float)) {
+    Blocks<T> blocks;
+    blocks.in[0] = a;
+    blocks.in[1] = b;
+    blocks.out = to;
+    blocks.count = is_shared ? 0 : n / kBlock<T>;
+    multiply_records<$rows, $sums, (Degree + 1) * (Degree + 1), T>(blocks);
+    first = blocks.count * kBlock<T>;
+  }
+  for (std::size_t i = first; i < n; ++i) {
+    const T* const in[] = {a + (is_shared ? 0 : i * $first)};
+    T* const out = to + i * $size;
+    $call
+  }
+)";
+  }
+  return R"(  if constexpr (Degree <= $grouped) {
     if (is_shared) return records<Degree, T, Shared>(a, b, n, to);
     records<Degree, T>(a, b, n, to);
   } else {
     const auto kernel = [](const One<T>* const* in, One<T>* out) __attribute__((noinline)) { $call };
     for_every_record<$size, $first$further>(a, is_shared, b, n, to, kernel);
   }
+)";
 }
 
-)",
-                                  parts);
+constexpr std::string_view kSharedScalars = "blocks.in[1]";  // as signature_of names them
+
+// Kernels of few records, and of the channels of interleaved ones.
+std::string few_kernels(const Driver& driver) {
+  const Kernel& kernel = driver.last();
+  std::map<std::string, std::string> parts = parts_of_records(kernel);
+  parts["grouped"] = std::to_string(driver.spec.grouped);
+  const RecordSignature s = signature_of(kernel);
+  const int length = numeric::coefficient_count(kernel.degree);
+  parts["rows"] = std::to_string(s.inputs[0].size / length);
+  parts["sums"] = std::to_string(s.inputs[1].size / length);
+  if (const auto at = parts["call"].find(kSharedScalars); at != std::string::npos) {
+    parts["call"].replace(at, kSharedScalars.size(), "b");
+  }
+  const std::string text = filled(
+      "template <int Degree, class T>\nvoid few(const T* a, bool is_shared, const T* b, std::size_t n, T* to) {\n" +
+          std::string(few_body(driver)) + "}\n\n",
+      parts);
   if (!turns_colors(kernel)) return text;
   return text + filled(R"(template <int Degree, class T>
 [[gnu::flatten]] void turn_colors(const T* a, const T* b, std::size_t n, T* to) {
@@ -276,22 +312,30 @@ std::string direct_table(const Driver& driver, const std::string& scalar) {
   return text + "};\n";
 }
 
-// The kernels of records in rows, or with shared ones, that need no driver, by degree.
+// The most records that a driver computes one by one at a degree, in code.
+std::string single_records(const Driver& driver, int degree, const std::string& scalar) {
+  return filled("single_records<$t>($single)",
+                {{"t", scalar}, {"single", std::to_string(most_single(driver, degree))}});
+}
+
+// The kernels of few records by degree.
 std::string single_table(const Driver& driver, const std::string& scalar) {
   std::string text =
       filled("extern const detail::SingleKernels<$t> $table[];\nconst detail::SingleKernels<$t> $table[] = {\n",
              {{"t", scalar}, {"table", table_of_direct(driver, scalar)}});
   for (const FinishedKernel& finished : driver.kernels) {
-    const std::string degree = std::to_string(finished.kernel.degree);
-    const std::string count = std::to_string(most_single(driver, finished.kernel.degree));
-    const std::string single = "single_records<" + scalar + ">(" + count + ")";
-    const std::string grouped = "grouped_records<" + scalar + ">(" + degree + ", " + count + ")";
-    text += filled("    {few<$degree, $t>, $most, $single / 2$colors},\n",
-                   {{"degree", degree},
-                    {"t", scalar},
-                    {"most", finished.kernel.degree <= driver.spec.grouped ? grouped : single},
-                    {"single", single},
-                    {"colors", turns_colors(driver.last()) ? ", colors<" + degree + ", " + scalar + ">()" : ""}});
+    const int degree = finished.kernel.degree;
+    const std::string at_degree = "<" + std::to_string(degree) + ", " + scalar + ">";
+    std::string most = single_records(driver, degree, scalar);
+    if (degree <= driver.spec.grouped && !driver.spec.scalar_products) {
+      most = filled(
+          "grouped_records<$t>($degree, $single)",
+          {{"t", scalar}, {"degree", std::to_string(degree)}, {"single", std::to_string(most_single(driver, degree))}});
+    } else if (degree >= 1 && degree <= driver.spec.grouped && scalar == "float") {
+      most = "detail::kMostDirect";
+    }
+    text += "    {few" + at_degree + ", " + most + (turns_colors(driver.last()) ? ", colors" + at_degree + "()" : "") +
+            "},\n";
   }
   return text + "};\n";
 }
@@ -306,6 +350,12 @@ constexpr BlockKernel<T> half() {
 }
 
 )";
+
+// The most records that are copied to rows first: copies take as long as kernels. A sum has the same bits in every layout.
+std::string most_copied(const Driver& driver, int degree) {
+  const std::string most = single_records(driver, degree, "T");
+  return signature_of(driver.last()).sums ? most : most + " / 2";
+}
 
 // The row of the table of plans for one degree.
 std::string plan_row(const Driver& driver, std::size_t i) {
@@ -327,17 +377,19 @@ std::string plan_row(const Driver& driver, std::size_t i) {
     plain = "multiply_blocks<" + scalar_products(kernel) + ", T, T>";
     half = "float_only<T>(multiply_blocks<" + scalar_products(kernel) + ", float, Half>)";
   }
-  const std::string records = records_kernel(driver, kernel);
-  std::string shared;
-  if (shared_input(s) >= 0) shared = ", " + std::to_string(shared_input(s));
-  if (!records.empty()) shared += ", " + records;
-  if (driver.spec.groups) shared = ", -1, nullptr, nullptr, records" + at_degree + ", T>";
-  if (driver.spec.groups && has_colors(driver.last())) shared += ", interleaved" + at_degree + ", T>";
-  if (!driver.spec.single.empty()) {
-    shared = ", -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(" + table_of_direct(driver, "float") + ", " +
-             table_of_direct(driver, "double") + ") + " + std::to_string(kernel.degree);
+  std::string records = records_kernel(driver, kernel);
+  if (records.empty()) records = "nullptr, nullptr";
+  std::string further = ", " + std::to_string(shared_input(s)) + ", " + records;
+  further += driver.spec.groups ? ", records" + at_degree + ", T>" : ", nullptr";
+  further += driver.spec.groups && has_colors(driver.last()) ? ", interleaved" + at_degree + ", T>" : ", nullptr";
+  if (driver.has_few()) {
+    further += ", of_type<T>(" + table_of_direct(driver, "float") + ", " + table_of_direct(driver, "double") + ") + " +
+               std::to_string(kernel.degree);
+  } else {
+    further += ", nullptr";
   }
-  return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish$shared},\n",
+  if (driver.has_few()) further += ", " + most_copied(driver, kernel.degree);
+  return filled("      {$inputs, {$sizes}, $out, $sums, $kernel, $half, $prepared, $finish$further},\n",
                 {{"inputs", std::to_string(s.inputs.size())},
                  {"sizes", sizes},
                  {"out", std::to_string(s.out_size)},
@@ -346,7 +398,7 @@ std::string plan_row(const Driver& driver, std::size_t i) {
                  {"half", driver.spec.half ? half : "nullptr"},
                  {"prepared", prepared},
                  {"finish", by_parts ? "detail::finish_" + driver.name : "nullptr"},
-                 {"shared", shared}});
+                 {"further", further}});
 }
 
 // A function that a driver runs once a call: the kernels of a family, for each of some scalars.
@@ -394,12 +446,12 @@ std::string table_of_direct(const Driver& driver, const std::string& scalar) { r
 
 std::string kernels_file(const Driver& driver) {
   std::string includes;
-  if (!driver.spec.scalar_products) includes += "#include \"../cpp/" + driver.name + ".hpp\"\n";
+  includes += "#include \"../cpp/" + driver.name + ".hpp\"\n";
   for (const auto* further : {driver.prepared, driver.parts}) {
     if (further != nullptr) includes += "#include \"../cpp/" + further->back().kernel.family + ".hpp\"\n";
   }
   includes += "#include \"drive.hpp\"\n";
-  if (driver.spec.groups || !driver.spec.single.empty()) includes += "#include \"groups.hpp\"\n";
+  if (driver.spec.groups || driver.has_few()) includes += "#include \"groups.hpp\"\n";
   if (driver.spec.rings) includes += "#include \"transfer_rings.hpp\"\n";
   if (driver.prepares() || driver.adds_parts()) includes += "#include \"once.hpp\"\n";
   const bool rings = driver.spec.rings;
@@ -408,9 +460,9 @@ std::string kernels_file(const Driver& driver) {
                                                      : block_kernel("kernel", driver.last(), Loop::kPlain, rings);
   if (driver.adds_parts()) kernels += block_kernel("parts", driver.parts->back().kernel);
   if (driver.prepares()) kernels += block_kernel("kernel_prepared", driver.prepared->back().kernel, Loop::kFixed);
-  if (driver.spec.groups || !driver.spec.single.empty()) kernels += record_kernels(driver.last());
+  if (driver.has_records()) kernels += record_kernels(driver.last());
   if (driver.spec.groups) kernels += direct_kernels(driver.last());
-  if (!driver.spec.single.empty()) kernels += few_kernels(driver);
+  if (driver.has_few()) kernels += few_kernels(driver);
   if (driver.spec.half && !driver.spec.scalar_products) {
     kernels +=
         "#if defined(SH_BATCH_CONVERTS_HALVES)\n" + block_kernel("kernel_half", driver.last(), Loop::kHalf, rings);
@@ -422,7 +474,7 @@ std::string kernels_file(const Driver& driver) {
   for (std::size_t i = 0; i < driver.kernels.size(); ++i) plans += plan_row(driver, i);
   for (const char* scalar : {"float", "double"}) {
     if (driver.spec.groups) tables += direct_table(driver, scalar);
-    if (!driver.spec.single.empty()) tables += single_table(driver, scalar);
+    if (driver.has_few()) tables += single_table(driver, scalar);
   }
   return filled(
       R"(// sh::batch::$name on the instruction set SH_BATCH_ISA.

@@ -39,13 +39,12 @@ struct DirectKernels {
 
 constexpr std::size_t kMostDirect = 1024;  // records of a direct call: their outputs stay in a cache
 
-/// The kernels of a degree that need no driver.
+/// The kernels of a degree for few records, which need no driver.
 template <class T>
 struct SingleKernels {
-  /// a: n records, or one for all; b, out: n plain records.
+  /// a: n records, or one for all; b: n plain records, or the one that always serves all; out: n plain records, or a sum.
   void (*run)(const T* a, bool is_shared, const T* b, std::size_t n, T* out);
-  std::size_t most;         ///< records that it is called for
-  std::size_t most_copied;  ///< the same where records are copied to rows first, which takes as long as the kernel
+  std::size_t most;                  ///< records that it is called for
   RecordKernel<T> colors = nullptr;  ///< a: one record for all; b, out: n interleaved records
 };
 

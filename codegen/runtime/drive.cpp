@@ -37,19 +37,19 @@ double sum_of_lanes(const double* lanes) {
 
 // Whether kernels of few records take all arrays as they are.
 template <class T>
-bool are_in_rows(const detail::Call<T>& call) {
-  return call.out.layout == Layout::kPlain && call.in[1].layout == Layout::kPlain &&
-         (call.in[0].layout == Layout::kPlain || call.in[0].layout == Layout::kShared);
+bool are_in_rows(const detail::Call<T>& call, const Plan<T>& plan) {
+  return (call.in[0].layout == Layout::kPlain || call.in[0].layout == Layout::kShared) &&
+         call.out.layout == Layout::kPlain && (plan.shared == 1 || call.in[1].layout == Layout::kPlain);
 }
 
 // The most records for those.
 template <class T>
-std::size_t most_single(const detail::Call<T>& call, const Plan<T>& plan) {
-  if (plan.single == nullptr) return 0;
-  return are_in_rows(call) ? plan.single->most : plan.single->most_copied;
+std::size_t most_few(const detail::Call<T>& call, const Plan<T>& plan) {
+  if (plan.single == nullptr || call.half != nullptr) return 0;
+  return are_in_rows(call, plan) ? plan.single->most : plan.most_copied;
 }
 
-// Where the values of record i of a channel stand in an array of records of `size` values: the first, and from one to the next.
+// Where values of a record of a channel stand in an array: the first, and from one to the next.
 struct Places {
   std::size_t first;
   std::size_t step;
@@ -62,31 +62,25 @@ Places places_of(Layout layout, std::size_t size, std::size_t i, std::size_t cha
   return {i * size, 1};
 }
 
-// Copies a channel of record i to a row, or back; both ways return what follows the row.
-template <class T>
-T* copy_to_row(const Records<const T>& in, std::size_t size, std::size_t i, std::size_t channel, T* row) {
-  const Places at = places_of<T>(in.layout, size, i, channel);
-  const T* from = in.data + at.first;
-  for (std::size_t k = 0; k < size; ++k) *row++ = from[k * at.step];
-  return row;
-}
-template <class T>
-const T* copy_from_row(const T* row, const Records<T>& out, std::size_t size, std::size_t i, std::size_t channel) {
-  const Places at = places_of<T>(out.layout, size, i, channel);
-  T* to = out.data + at.first;
-  for (std::size_t k = 0; k < size; ++k) to[k * at.step] = *row++;
-  return row;
+// Calls copy(at, size) for the values that a row takes of record i: those of one channel of `channels` that a kernel takes one
+// after the other, or all, channel by channel.
+template <class T, class Copy>
+void for_every_part(Layout layout, std::size_t size, std::size_t i, std::size_t channel, std::size_t channels,
+                    const Copy& copy) {
+  if (layout != Layout::kInterleaved || channels > 1) return copy(places_of<T>(layout, size, i, channel), size);
+  for (std::size_t c = 0; c < 3; ++c) copy(places_of<T>(layout, size / 3, i, c), size / 3);
 }
 
-// `count` records from `first` on; channels of other layouts are copied to rows, a few at a time.
+// `count` records from `first` on; those of other layouts are copied to rows and back, a few at a time.
 template <class T>
-void run_singly(const detail::Call<T>& call, const Plan<T>& plan, std::size_t first, std::size_t count) {
+void run_few(const detail::Call<T>& call, const Plan<T>& plan, std::size_t first, std::size_t count) {
   const bool is_shared = call.in[0].layout == Layout::kShared;
-  if (are_in_rows(call)) {
+  if (are_in_rows(call, plan)) {
     return plan.single->run(call.in[0].data + (is_shared ? 0 : first * plan.in[0]), is_shared,
-                            call.in[1].data + first * plan.in[1], count, call.out.data + first * plan.out);
+                            call.in[1].data + (plan.shared == 1 ? 0 : first * plan.in[1]), count,
+                            call.out.data + first * plan.out);
   }
-  constexpr std::size_t kRoom = 1024;  // values; no kernel takes and gives more for three channels of one record
+  constexpr std::size_t kRoom = detail::kRoomLines * kBlock<T>;  // values: more than a block takes and gives
   T room[kRoom];
   const std::size_t chunk = kRoom / ((plan.in[0] + plan.in[1] + plan.out) * call.channels);
   for (const std::size_t end = first + count; first < end; first += chunk) {
@@ -94,16 +88,25 @@ void run_singly(const detail::Call<T>& call, const Plan<T>& plan, std::size_t fi
     const T* in[2];
     T* free = room;
     for (int j = 0; j < 2; ++j) {
-      const bool is_there = j == 0 && is_shared;
+      const bool is_there = j == plan.shared || (j == 0 && is_shared);
       in[j] = is_there ? call.in[j].data : free;
       for (std::size_t i = first; !is_there && i < last; ++i) {
-        for (std::size_t c = 0; c < call.channels; ++c) free = copy_to_row(call.in[j], plan.in[j], i, c, free);
+        for (std::size_t c = 0; c < call.channels; ++c) {
+          for_every_part<T>(call.in[j].layout, plan.in[j], i, c, call.channels, [&](Places at, std::size_t size) {
+            for (std::size_t k = 0; k < size; ++k) *free++ = call.in[j].data[at.first + k * at.step];
+          });
+        }
       }
     }
+    if (plan.sums) return plan.single->run(in[0], is_shared, in[1], count, call.out.data);
     plan.single->run(in[0], is_shared, in[1], (last - first) * call.channels, free);
     const T* row = free;
     for (std::size_t i = first; i < last; ++i) {
-      for (std::size_t c = 0; c < call.channels; ++c) row = copy_from_row(row, call.out, plan.out, i, c);
+      for (std::size_t c = 0; c < call.channels; ++c) {
+        for_every_part<T>(call.out.layout, plan.out, i, c, call.channels, [&](Places at, std::size_t size) {
+          for (std::size_t k = 0; k < size; ++k) call.out.data[at.first + k * at.step] = *row++;
+        });
+      }
     }
   }
 }
@@ -132,7 +135,7 @@ class Driver {
   // The records after the last whole block. A block that ends with the last record is faster than part of a block; it
   // computes some records twice, from inputs that must still be there.
   void finish(std::size_t whole, std::size_t rest) {
-    if (rest <= most_single(call_, plan_)) return run_singly(call_, plan_, whole * kBlock<T>, rest);
+    if (rest <= most_few(call_, plan_)) return run_few(call_, plan_, whole * kBlock<T>, rest);
     for (int j = 0; j < plan_.inputs; ++j) direct_in_[j] = direct_in_[j] && call_.in[j].layout == Layout::kShared;
     direct_out_ = false;
     if (whole > 0 && may_overlap()) return step(call_.n - kBlock<T>, 1, kBlock<T>);
@@ -385,12 +388,6 @@ detail::RecordKernel<T> record_kernel(const detail::Call<T>& call, const Plan<T>
   return plain && call.in[0].layout == Layout::kInterleaved ? plan.kernel_interleaved : nullptr;
 }
 
-// Whether kernels of few records compute all.
-template <class T>
-bool are_single(const detail::Call<T>& call, const Plan<T>& plan) {
-  return call.half == nullptr && !call.stream && call.n <= most_single(call, plan);
-}
-
 // Whether channels of interleaved records go through registers together.
 template <class T>
 bool takes_colors(const detail::Call<T>& call, const Plan<T>& plan) {
@@ -429,7 +426,7 @@ void drive(const detail::Call<T>& call, const Plan<T>& plan) {
   if (const auto kernel = record_kernel(call, plan))
     return kernel(call.in[0].data, call.in[1].data, call.n, call.out.data);
   if (takes_colors(call, plan)) return plan.single->colors(call.in[0].data, call.in[1].data, call.n, call.out.data);
-  if (are_single(call, plan)) return run_singly(call, plan, 0, call.n);
+  if (!call.stream && call.n <= most_few(call, plan)) return run_few(call, plan, 0, call.n);
   if (!call.stream && !plan.sums && is_direct(call, plan)) return run_blocks(call, plan);
   Driver<T>(call, plan).run();
 }

@@ -426,6 +426,22 @@ template <std::size_t Out, std::size_t InA, std::size_t InB, class T, class Kern
   }
 }
 
+// Adds to Size values what kernel(in, out) adds to `out` for n plain records, one after the other. is_shared: there is one `a` for
+// all.
+template <std::size_t Size, std::size_t InA, std::size_t InB, class T, class Kernel>
+[[gnu::always_inline]] inline void sum_every_record(const T* a, bool is_shared, const T* b, std::size_t n, T* to,
+                                                    const Kernel& kernel) {
+  const std::size_t step = is_shared ? 0 : InA;
+  One<T> sum[Size];
+  for (std::size_t k = 0; k < Size; ++k) sum[k] = One<T>(T(0));
+  for (std::size_t i = 0; i < n; ++i) {
+    const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a + i * step),
+                                reinterpret_cast<const One<T>*>(b + i * InB)};
+    kernel(static_cast<const One<T>* const*>(in), static_cast<One<T>*>(sum));
+  }
+  for (std::size_t k = 0; k < Size; ++k) to[k] += sum[k].get();
+}
+
 // Calls kernel(in, out) for n interleaved records `b` of Size values a channel, where `a`, of InA values, serves all: in
 // registers that hold the channels of a value. to may be b.
 template <std::size_t InA, std::size_t Size, class T, class Kernel>

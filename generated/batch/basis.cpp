@@ -93,17 +93,17 @@ const detail::DirectKernels<double> basis_double[] = {
 template <class T>
 void basis(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {1, {3}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<0, T>},
-      {1, {3}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<1, T>},
-      {1, {3}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<2, T>},
-      {1, {3}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<3, T>},
-      {1, {3}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<4, T>},
-      {1, {3}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<5, T>},
-      {1, {3}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<6, T>},
-      {1, {3}, 64, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>},
-      {1, {3}, 81, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>},
-      {1, {3}, 100, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>},
-      {1, {3}, 121, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>},
+      {1, {3}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<0, T>, nullptr, nullptr},
+      {1, {3}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<1, T>, nullptr, nullptr},
+      {1, {3}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<2, T>, nullptr, nullptr},
+      {1, {3}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<3, T>, nullptr, nullptr},
+      {1, {3}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<4, T>, nullptr, nullptr},
+      {1, {3}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<5, T>, nullptr, nullptr},
+      {1, {3}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<6, T>, nullptr, nullptr},
+      {1, {3}, 64, false, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>, nullptr, nullptr},
+      {1, {3}, 81, false, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>, nullptr, nullptr},
+      {1, {3}, 100, false, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>, nullptr, nullptr},
+      {1, {3}, 121, false, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>, nullptr, nullptr},
   };
   drive(call, kPlans[call.degree]);
 }

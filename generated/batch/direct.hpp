@@ -127,9 +127,9 @@ template <class T, class... Second>
   run_any(any, degree, n, out, a, b...);
 }
 
-/// A call of few records, plain or with one `a` for all, or of interleaved records with one `a`, at once. `any` serves all
-/// other calls.
-template <class T>
+/// A call of few records, plain or with one `a` for all, or of interleaved records with one `a`, at once. Second: the layout of
+/// `b` that the kernels take. `any` serves all other calls.
+template <Layout Second, class T>
 [[gnu::always_inline]] inline void run_single(const SingleKernels<T>* const* every, AnyCall<T> any, int degree,
                                               int largest_degree, std::size_t n, const Records<T>& out,
                                               const Records<const T>& a, const Records<const T>& b) {
@@ -138,10 +138,11 @@ template <class T>
       SH_BATCH_LIKELY(n - 1 < kMostDirect)) {
     const SingleKernels<T>& kernels = every[set][degree];
     const bool is_shared = a.layout == Layout::kShared;
-    if (are_plain(out, b) && is_in_rows(a) && n <= kernels.most) {
+    if (are_plain(out) && b.layout == Second && is_in_rows(a) && n <= kernels.most) {
       return kernels.run(a.data, is_shared, b.data, n, out.data);
     }
-    if (is_shared && b.layout == Layout::kInterleaved && out.layout == Layout::kInterleaved && kernels.colors != nullptr) {
+    if (is_shared && b.layout == Layout::kInterleaved && out.layout == Layout::kInterleaved &&
+        kernels.colors != nullptr) {
       return kernels.colors(a.data, b.data, n, out.data);
     }
   }

@@ -31,6 +31,7 @@ struct Plan {
   detail::RecordKernel<T> kernel_plain = nullptr;        // takes and gives plain records
   detail::RecordKernel<T> kernel_interleaved = nullptr;  // the same, but input 0 is interleaved
   const detail::SingleKernels<T>* single = nullptr;      // of few records; null: there are none
+  std::size_t most_copied = 0;  // records in other layouts that are copied to rows first, for `single`
 };
 
 /// The most records that are faster one by one than in registers of blocks; of_sixteen: than in those of 16 lanes, as measured.

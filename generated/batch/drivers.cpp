@@ -27,6 +27,8 @@ extern const detail::DirectKernels<float> evaluate_rgb_float[];
 extern const detail::DirectKernels<double> evaluate_rgb_double[];
 template <class T>
 void project(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> project_float[];
+extern const detail::SingleKernels<double> project_double[];
 template <class T>
 void rotate(const detail::Call<T>& call);
 extern const detail::SingleKernels<float> rotate_float[];
@@ -45,10 +47,16 @@ template <class T>
 void transfer_glossy_rgb(const detail::Call<T>& call);
 template <class T>
 void relight(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> relight_float[];
+extern const detail::SingleKernels<double> relight_double[];
 template <class T>
 void relight_rgb(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> relight_rgb_float[];
+extern const detail::SingleKernels<double> relight_rgb_double[];
 template <class T>
 void relight_colored(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> relight_colored_float[];
+extern const detail::SingleKernels<double> relight_colored_double[];
 }  // namespace baseline
 
 namespace avx2 {
@@ -70,6 +78,8 @@ extern const detail::DirectKernels<float> evaluate_rgb_float[];
 extern const detail::DirectKernels<double> evaluate_rgb_double[];
 template <class T>
 void project(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> project_float[];
+extern const detail::SingleKernels<double> project_double[];
 template <class T>
 void rotate(const detail::Call<T>& call);
 extern const detail::SingleKernels<float> rotate_float[];
@@ -88,10 +98,16 @@ template <class T>
 void transfer_glossy_rgb(const detail::Call<T>& call);
 template <class T>
 void relight(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> relight_float[];
+extern const detail::SingleKernels<double> relight_double[];
 template <class T>
 void relight_rgb(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> relight_rgb_float[];
+extern const detail::SingleKernels<double> relight_rgb_double[];
 template <class T>
 void relight_colored(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> relight_colored_float[];
+extern const detail::SingleKernels<double> relight_colored_double[];
 }  // namespace avx2
 
 namespace avx512 {
@@ -113,6 +129,8 @@ extern const detail::DirectKernels<float> evaluate_rgb_float[];
 extern const detail::DirectKernels<double> evaluate_rgb_double[];
 template <class T>
 void project(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> project_float[];
+extern const detail::SingleKernels<double> project_double[];
 template <class T>
 void rotate(const detail::Call<T>& call);
 extern const detail::SingleKernels<float> rotate_float[];
@@ -131,10 +149,16 @@ template <class T>
 void transfer_glossy_rgb(const detail::Call<T>& call);
 template <class T>
 void relight(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> relight_float[];
+extern const detail::SingleKernels<double> relight_double[];
 template <class T>
 void relight_rgb(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> relight_rgb_float[];
+extern const detail::SingleKernels<double> relight_rgb_double[];
 template <class T>
 void relight_colored(const detail::Call<T>& call);
+extern const detail::SingleKernels<float> relight_colored_float[];
+extern const detail::SingleKernels<double> relight_colored_double[];
 }  // namespace avx512
 
 const detail::DirectKernels<float>* const detail::basis_float[] = SH_BATCH_EVERY(basis_float);
@@ -203,14 +227,18 @@ void evaluate_rgb(int degree, std::size_t n, Records<const Half> c, Records<cons
   detail::run<float>("evaluate_rgb", kEvery, {degree, n, {{nullptr, c.layout}, directions}, out, c.data}, 2, 10, {0, 3}, {1, true});
 }
 
-void project(int degree, std::size_t n, Records<const float> directions, Records<const float> weight, float* sum) {
+const detail::SingleKernels<float>* const detail::project_float[] = SH_BATCH_EVERY(project_float);
+
+void detail::run_project(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(project);
-  detail::run<float>("project", kEvery, {degree, n, {directions, weight}, plain(sum)}, 2, 10, {0, 0});
+  detail::run<float>("project", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 0});
 }
 
-void project(int degree, std::size_t n, Records<const double> directions, Records<const double> weight, double* sum) {
+const detail::SingleKernels<double>* const detail::project_double[] = SH_BATCH_EVERY(project_double);
+
+void detail::run_project(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(project);
-  detail::run<double>("project", kEvery, {degree, n, {directions, weight}, plain(sum)}, 2, 10, {0, 0});
+  detail::run<double>("project", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 0});
 }
 
 const detail::SingleKernels<float>* const detail::rotate_float[] = SH_BATCH_EVERY(rotate_float);
@@ -301,14 +329,18 @@ void transfer_glossy_rgb(int degree, std::size_t n, Records<const Half> visibili
   detail::run<float>("transfer_glossy_rgb", kEvery, {degree, n, {{nullptr, visibility.layout}, shared(samples), lobe, directions}, out, visibility.data}, 4, 6, {0, 3});
 }
 
-void relight(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {
+const detail::SingleKernels<float>* const detail::relight_float[] = SH_BATCH_EVERY(relight_float);
+
+void detail::run_relight(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(relight);
-  detail::run<float>("relight", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 1});
+  detail::run<float>("relight", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 1});
 }
 
-void relight(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out) {
+const detail::SingleKernels<double>* const detail::relight_double[] = SH_BATCH_EVERY(relight_double);
+
+void detail::run_relight(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(relight);
-  detail::run<double>("relight", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 1});
+  detail::run<double>("relight", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 1});
 }
 
 void relight(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out) {
@@ -316,14 +348,18 @@ void relight(int degree, std::size_t n, Records<const Half> transfer, const floa
   detail::run<float>("relight", kEvery, {degree, n, {{nullptr, transfer.layout}, shared(light)}, out, transfer.data}, 2, 10, {0, 1});
 }
 
-void relight_rgb(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {
+const detail::SingleKernels<float>* const detail::relight_rgb_float[] = SH_BATCH_EVERY(relight_rgb_float);
+
+void detail::run_relight_rgb(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(relight_rgb);
-  detail::run<float>("relight_rgb", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
+  detail::run<float>("relight_rgb", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 3});
 }
 
-void relight_rgb(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out) {
+const detail::SingleKernels<double>* const detail::relight_rgb_double[] = SH_BATCH_EVERY(relight_rgb_double);
+
+void detail::run_relight_rgb(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(relight_rgb);
-  detail::run<double>("relight_rgb", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3});
+  detail::run<double>("relight_rgb", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 3});
 }
 
 void relight_rgb(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out) {
@@ -331,14 +367,18 @@ void relight_rgb(int degree, std::size_t n, Records<const Half> transfer, const 
   detail::run<float>("relight_rgb", kEvery, {degree, n, {{nullptr, transfer.layout}, shared(light)}, out, transfer.data}, 2, 10, {0, 3});
 }
 
-void relight_colored(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {
+const detail::SingleKernels<float>* const detail::relight_colored_float[] = SH_BATCH_EVERY(relight_colored_float);
+
+void detail::run_relight_colored(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts) {
   static constexpr detail::Run<float> kEvery[] = SH_BATCH_EVERY(relight_colored);
-  detail::run<float>("relight_colored", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3}, {1, true});
+  detail::run<float>("relight_colored", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 3}, {1, true});
 }
 
-void relight_colored(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out) {
+const detail::SingleKernels<double>* const detail::relight_colored_double[] = SH_BATCH_EVERY(relight_colored_double);
+
+void detail::run_relight_colored(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts) {
   static constexpr detail::Run<double> kEvery[] = SH_BATCH_EVERY(relight_colored);
-  detail::run<double>("relight_colored", kEvery, {degree, n, {transfer, shared(light)}, out}, 2, 10, {0, 3}, {1, true});
+  detail::run<double>("relight_colored", kEvery, {degree, n, {{a, layouts.a()}, {b, layouts.b()}}, {out, layouts.out()}}, 2, 10, {0, 3}, {1, true});
 }
 
 void relight_colored(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out) {

@@ -84,6 +84,10 @@ extern const DirectKernels<float>* const evaluate_rgb_float[];
 void run_evaluate_rgb(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
 extern const DirectKernels<double>* const evaluate_rgb_double[];
 void run_evaluate_rgb(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
+extern const SingleKernels<float>* const project_float[];
+void run_project(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
+extern const SingleKernels<double>* const project_double[];
+void run_project(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
 template <class T>
 [[gnu::always_inline]] inline void loop_rotate_l0(std::size_t n, const T* r, bool is_shared, const T* c, T* to) {
   for_each_record(n, [=](std::size_t i) {
@@ -108,6 +112,18 @@ extern const SingleKernels<float>* const product_float[];
 void run_product(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
 extern const SingleKernels<double>* const product_double[];
 void run_product(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
+extern const SingleKernels<float>* const relight_float[];
+void run_relight(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
+extern const SingleKernels<double>* const relight_double[];
+void run_relight(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
+extern const SingleKernels<float>* const relight_rgb_float[];
+void run_relight_rgb(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
+extern const SingleKernels<double>* const relight_rgb_double[];
+void run_relight_rgb(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
+extern const SingleKernels<float>* const relight_colored_float[];
+void run_relight_colored(int degree, std::size_t n, const float* a, const float* b, float* out, Layouts layouts);
+extern const SingleKernels<double>* const relight_colored_double[];
+void run_relight_colored(int degree, std::size_t n, const double* a, const double* b, double* out, Layouts layouts);
 }  // namespace detail
 
 /// Values of the real spherical harmonics.
@@ -191,8 +207,14 @@ void evaluate_rgb(int degree, std::size_t n, Records<const Half> c, Records<cons
 /// Adds weight * Y of every direction to the sum.
 /// degree 0 to 10; directions (3), weight (1), sum (bands^2).
 /// Domain: |d| = 1 for d = (x, y, z); z is the polar axis; any weight.
-void project(int degree, std::size_t n, Records<const float> directions, Records<const float> weight, float* sum);
-void project(int degree, std::size_t n, Records<const double> directions, Records<const double> weight, double* sum);
+[[gnu::always_inline]] inline void project(int degree, std::size_t n, Records<const float> directions, Records<const float> weight, float* sum) {
+  if (!detail::are_given(plain(sum), directions, weight)) return detail::run_any<float>(detail::run_project, degree, n, plain(sum), directions, weight);
+  detail::run_single<Layout::kPlain, float>(detail::project_float, detail::run_project, degree, 10, n, plain(sum), directions, weight);
+}
+[[gnu::always_inline]] inline void project(int degree, std::size_t n, Records<const double> directions, Records<const double> weight, double* sum) {
+  if (!detail::are_given(plain(sum), directions, weight)) return detail::run_any<double>(detail::run_project, degree, n, plain(sum), directions, weight);
+  detail::run_single<Layout::kPlain, double>(detail::project_double, detail::run_project, degree, 10, n, plain(sum), directions, weight);
+}
 
 /// Coefficients of rotated functions, by rotation matrices.
 /// degree 0 to 10; r (9), c (bands^2), out (bands^2).
@@ -202,14 +224,14 @@ void project(int degree, std::size_t n, Records<const double> directions, Record
   if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c) && detail::is_in_rows(r))) {
     if (degree == 0) return detail::loop_rotate_l0(n, r.data, r.layout == Layout::kShared, c.data, out.data);
   }
-  detail::run_single<float>(detail::rotate_float, detail::run_rotate, degree, 10, n, out, r, c);
+  detail::run_single<Layout::kPlain, float>(detail::rotate_float, detail::run_rotate, degree, 10, n, out, r, c);
 }
 [[gnu::always_inline]] inline void rotate(int degree, std::size_t n, Records<const double> r, Records<const double> c, Records<double> out) {
   if (!detail::are_given(out, r, c)) return detail::run_any<double>(detail::run_rotate, degree, n, out, r, c);
   if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, c) && detail::is_in_rows(r))) {
     if (degree == 0) return detail::loop_rotate_l0(n, r.data, r.layout == Layout::kShared, c.data, out.data);
   }
-  detail::run_single<double>(detail::rotate_double, detail::run_rotate, degree, 10, n, out, r, c);
+  detail::run_single<Layout::kPlain, double>(detail::rotate_double, detail::run_rotate, degree, 10, n, out, r, c);
 }
 
 /// Products of two functions, projected on the same bands.
@@ -221,14 +243,14 @@ void project(int degree, std::size_t n, Records<const double> directions, Record
   if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, b) && detail::is_in_rows(a))) {
     if (degree == 0) return detail::loop_product_l0(n, a.data, a.layout == Layout::kShared, b.data, out.data);
   }
-  detail::run_single<float>(detail::product_float, detail::run_product, degree, 6, n, out, a, b);
+  detail::run_single<Layout::kPlain, float>(detail::product_float, detail::run_product, degree, 6, n, out, a, b);
 }
 [[gnu::always_inline]] inline void product(int degree, std::size_t n, Records<const double> a, Records<const double> b, Records<double> out) {
   if (!detail::are_given(out, a, b)) return detail::run_any<double>(detail::run_product, degree, n, out, a, b);
   if (SH_BATCH_LIKELY(SH_BATCH_KNOWS(degree) && detail::are_few(n, out, b) && detail::is_in_rows(a))) {
     if (degree == 0) return detail::loop_product_l0(n, a.data, a.layout == Layout::kShared, b.data, out.data);
   }
-  detail::run_single<double>(detail::product_double, detail::run_product, degree, 6, n, out, a, b);
+  detail::run_single<Layout::kPlain, double>(detail::product_double, detail::run_product, degree, 6, n, out, a, b);
 }
 
 /// Transferred radiance of visibility under a prepared light.
@@ -262,22 +284,40 @@ void transfer_glossy_rgb(int degree, std::size_t n, Records<const Half> visibili
 /// Exit radiance of diffuse vertices under a light of one channel.
 /// degree 0 to 10; transfer (bands^2), light (bands^2), out (1).
 /// Domain: any coefficients; orthonormal on the unit sphere, no Condon-Shortley phase, at index l(l+1)+m.
-void relight(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out);
-void relight(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out);
+[[gnu::always_inline]] inline void relight(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {
+  if (!detail::are_given(out, transfer, shared(light))) return detail::run_any<float>(detail::run_relight, degree, n, out, transfer, shared(light));
+  detail::run_single<Layout::kShared, float>(detail::relight_float, detail::run_relight, degree, 10, n, out, transfer, shared(light));
+}
+[[gnu::always_inline]] inline void relight(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out) {
+  if (!detail::are_given(out, transfer, shared(light))) return detail::run_any<double>(detail::run_relight, degree, n, out, transfer, shared(light));
+  detail::run_single<Layout::kShared, double>(detail::relight_double, detail::run_relight, degree, 10, n, out, transfer, shared(light));
+}
 void relight(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out);
 
 /// The same under a light of three channels.
 /// degree 0 to 10; transfer (bands^2), light (3 bands^2), out (3).
 /// Domain: any coefficients; orthonormal on the unit sphere, no Condon-Shortley phase, at index l(l+1)+m.
-void relight_rgb(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out);
-void relight_rgb(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out);
+[[gnu::always_inline]] inline void relight_rgb(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {
+  if (!detail::are_given(out, transfer, shared(light))) return detail::run_any<float>(detail::run_relight_rgb, degree, n, out, transfer, shared(light));
+  detail::run_single<Layout::kShared, float>(detail::relight_rgb_float, detail::run_relight_rgb, degree, 10, n, out, transfer, shared(light));
+}
+[[gnu::always_inline]] inline void relight_rgb(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out) {
+  if (!detail::are_given(out, transfer, shared(light))) return detail::run_any<double>(detail::run_relight_rgb, degree, n, out, transfer, shared(light));
+  detail::run_single<Layout::kShared, double>(detail::relight_rgb_double, detail::run_relight_rgb, degree, 10, n, out, transfer, shared(light));
+}
 void relight_rgb(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out);
 
 /// The same where transfer has three channels, too.
 /// degree 0 to 10; transfer (3 bands^2), light (3 bands^2), out (3).
 /// Domain: any coefficients; orthonormal on the unit sphere, no Condon-Shortley phase, at index l(l+1)+m.
-void relight_colored(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out);
-void relight_colored(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out);
+[[gnu::always_inline]] inline void relight_colored(int degree, std::size_t n, Records<const float> transfer, const float* light, Records<float> out) {
+  if (!detail::are_given(out, transfer, shared(light))) return detail::run_any<float>(detail::run_relight_colored, degree, n, out, transfer, shared(light));
+  detail::run_single<Layout::kShared, float>(detail::relight_colored_float, detail::run_relight_colored, degree, 10, n, out, transfer, shared(light));
+}
+[[gnu::always_inline]] inline void relight_colored(int degree, std::size_t n, Records<const double> transfer, const double* light, Records<double> out) {
+  if (!detail::are_given(out, transfer, shared(light))) return detail::run_any<double>(detail::run_relight_colored, degree, n, out, transfer, shared(light));
+  detail::run_single<Layout::kShared, double>(detail::relight_colored_double, detail::run_relight_colored, degree, 10, n, out, transfer, shared(light));
+}
 void relight_colored(int degree, std::size_t n, Records<const Half> transfer, const float* light, Records<float> out);
 
 }  // namespace sh::batch

@@ -113,17 +113,17 @@ const detail::DirectKernels<double> evaluate_double[] = {
 template <class T>
 void evaluate(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {1, 3}, 1, false, kernel<0, T>, half<0, 1, T>(), detail::prepare_evaluate, 1, kernel_prepared<0, T>, nullptr, -1, nullptr, nullptr, records<0, T>},
-      {2, {4, 3}, 1, false, kernel<1, T>, half<1, 4, T>(), detail::prepare_evaluate, 4, kernel_prepared<1, T>, nullptr, -1, nullptr, nullptr, records<1, T>},
-      {2, {9, 3}, 1, false, kernel<2, T>, half<2, 9, T>(), detail::prepare_evaluate, 9, kernel_prepared<2, T>, nullptr, -1, nullptr, nullptr, records<2, T>},
-      {2, {16, 3}, 1, false, kernel<3, T>, half<3, 16, T>(), detail::prepare_evaluate, 16, kernel_prepared<3, T>, nullptr, -1, nullptr, nullptr, records<3, T>},
-      {2, {25, 3}, 1, false, kernel<4, T>, half<4, 25, T>(), detail::prepare_evaluate, 25, kernel_prepared<4, T>, nullptr, -1, nullptr, nullptr, records<4, T>},
-      {2, {36, 3}, 1, false, kernel<5, T>, half<5, 36, T>(), detail::prepare_evaluate, 36, kernel_prepared<5, T>, nullptr, -1, nullptr, nullptr, records<5, T>},
-      {2, {49, 3}, 1, false, kernel<6, T>, half<6, 49, T>(), detail::prepare_evaluate, 49, kernel_prepared<6, T>, nullptr, -1, nullptr, nullptr, records<6, T>},
-      {2, {64, 3}, 1, false, kernel<7, T>, half<7, 64, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>},
-      {2, {81, 3}, 1, false, kernel<8, T>, half<8, 81, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>},
-      {2, {100, 3}, 1, false, kernel<9, T>, half<9, 100, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>},
-      {2, {121, 3}, 1, false, kernel<10, T>, half<10, 121, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>},
+      {2, {1, 3}, 1, false, kernel<0, T>, half<0, 1, T>(), detail::prepare_evaluate, 1, kernel_prepared<0, T>, nullptr, -1, nullptr, nullptr, records<0, T>, nullptr, nullptr},
+      {2, {4, 3}, 1, false, kernel<1, T>, half<1, 4, T>(), detail::prepare_evaluate, 4, kernel_prepared<1, T>, nullptr, -1, nullptr, nullptr, records<1, T>, nullptr, nullptr},
+      {2, {9, 3}, 1, false, kernel<2, T>, half<2, 9, T>(), detail::prepare_evaluate, 9, kernel_prepared<2, T>, nullptr, -1, nullptr, nullptr, records<2, T>, nullptr, nullptr},
+      {2, {16, 3}, 1, false, kernel<3, T>, half<3, 16, T>(), detail::prepare_evaluate, 16, kernel_prepared<3, T>, nullptr, -1, nullptr, nullptr, records<3, T>, nullptr, nullptr},
+      {2, {25, 3}, 1, false, kernel<4, T>, half<4, 25, T>(), detail::prepare_evaluate, 25, kernel_prepared<4, T>, nullptr, -1, nullptr, nullptr, records<4, T>, nullptr, nullptr},
+      {2, {36, 3}, 1, false, kernel<5, T>, half<5, 36, T>(), detail::prepare_evaluate, 36, kernel_prepared<5, T>, nullptr, -1, nullptr, nullptr, records<5, T>, nullptr, nullptr},
+      {2, {49, 3}, 1, false, kernel<6, T>, half<6, 49, T>(), detail::prepare_evaluate, 49, kernel_prepared<6, T>, nullptr, -1, nullptr, nullptr, records<6, T>, nullptr, nullptr},
+      {2, {64, 3}, 1, false, kernel<7, T>, half<7, 64, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>, nullptr, nullptr},
+      {2, {81, 3}, 1, false, kernel<8, T>, half<8, 81, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>, nullptr, nullptr},
+      {2, {100, 3}, 1, false, kernel<9, T>, half<9, 100, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>, nullptr, nullptr},
+      {2, {121, 3}, 1, false, kernel<10, T>, half<10, 121, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>, nullptr, nullptr},
   };
   drive(call, kPlans[call.degree]);
 }

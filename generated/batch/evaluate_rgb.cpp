@@ -109,17 +109,17 @@ const detail::DirectKernels<double> evaluate_rgb_double[] = {
 template <class T>
 void evaluate_rgb(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {3, 3}, 3, false, kernel<0, T>, half<0, 3, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<0, T>, interleaved<0, T>},
-      {2, {12, 3}, 3, false, kernel<1, T>, half<1, 12, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<1, T>, interleaved<1, T>},
-      {2, {27, 3}, 3, false, kernel<2, T>, half<2, 27, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<2, T>, interleaved<2, T>},
-      {2, {48, 3}, 3, false, kernel<3, T>, half<3, 48, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<3, T>, interleaved<3, T>},
-      {2, {75, 3}, 3, false, kernel<4, T>, half<4, 75, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<4, T>, interleaved<4, T>},
-      {2, {108, 3}, 3, false, kernel<5, T>, half<5, 108, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<5, T>, interleaved<5, T>},
-      {2, {147, 3}, 3, false, kernel<6, T>, half<6, 147, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<6, T>, interleaved<6, T>},
-      {2, {192, 3}, 3, false, kernel<7, T>, half<7, 192, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>, interleaved<7, T>},
-      {2, {243, 3}, 3, false, kernel<8, T>, half<8, 243, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>, interleaved<8, T>},
-      {2, {300, 3}, 3, false, kernel<9, T>, half<9, 300, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>, interleaved<9, T>},
-      {2, {363, 3}, 3, false, kernel<10, T>, half<10, 363, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>, interleaved<10, T>},
+      {2, {3, 3}, 3, false, kernel<0, T>, half<0, 3, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<0, T>, interleaved<0, T>, nullptr},
+      {2, {12, 3}, 3, false, kernel<1, T>, half<1, 12, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<1, T>, interleaved<1, T>, nullptr},
+      {2, {27, 3}, 3, false, kernel<2, T>, half<2, 27, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<2, T>, interleaved<2, T>, nullptr},
+      {2, {48, 3}, 3, false, kernel<3, T>, half<3, 48, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<3, T>, interleaved<3, T>, nullptr},
+      {2, {75, 3}, 3, false, kernel<4, T>, half<4, 75, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<4, T>, interleaved<4, T>, nullptr},
+      {2, {108, 3}, 3, false, kernel<5, T>, half<5, 108, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<5, T>, interleaved<5, T>, nullptr},
+      {2, {147, 3}, 3, false, kernel<6, T>, half<6, 147, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<6, T>, interleaved<6, T>, nullptr},
+      {2, {192, 3}, 3, false, kernel<7, T>, half<7, 192, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<7, T>, interleaved<7, T>, nullptr},
+      {2, {243, 3}, 3, false, kernel<8, T>, half<8, 243, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<8, T>, interleaved<8, T>, nullptr},
+      {2, {300, 3}, 3, false, kernel<9, T>, half<9, 300, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<9, T>, interleaved<9, T>, nullptr},
+      {2, {363, 3}, 3, false, kernel<10, T>, half<10, 363, T>(), nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, records<10, T>, interleaved<10, T>, nullptr},
   };
   drive(call, kPlans[call.degree]);
 }

@@ -63,35 +63,35 @@ void few(const T* a, bool is_shared, const T* b, std::size_t n, T* to) {
 
 extern const detail::SingleKernels<float> product_float[];
 const detail::SingleKernels<float> product_float[] = {
-    {few<0, float>, grouped_records<float>(0, 10), single_records<float>(10) / 2},
-    {few<1, float>, grouped_records<float>(1, 10), single_records<float>(10) / 2},
-    {few<2, float>, grouped_records<float>(2, 10), single_records<float>(10) / 2},
-    {few<3, float>, grouped_records<float>(3, 7), single_records<float>(7) / 2},
-    {few<4, float>, single_records<float>(4), single_records<float>(4) / 2},
-    {few<5, float>, single_records<float>(3), single_records<float>(3) / 2},
-    {few<6, float>, single_records<float>(3), single_records<float>(3) / 2},
+    {few<0, float>, grouped_records<float>(0, 10)},
+    {few<1, float>, grouped_records<float>(1, 10)},
+    {few<2, float>, grouped_records<float>(2, 10)},
+    {few<3, float>, grouped_records<float>(3, 7)},
+    {few<4, float>, single_records<float>(4)},
+    {few<5, float>, single_records<float>(3)},
+    {few<6, float>, single_records<float>(3)},
 };
 extern const detail::SingleKernels<double> product_double[];
 const detail::SingleKernels<double> product_double[] = {
-    {few<0, double>, grouped_records<double>(0, 10), single_records<double>(10) / 2},
-    {few<1, double>, grouped_records<double>(1, 10), single_records<double>(10) / 2},
-    {few<2, double>, grouped_records<double>(2, 10), single_records<double>(10) / 2},
-    {few<3, double>, grouped_records<double>(3, 7), single_records<double>(7) / 2},
-    {few<4, double>, single_records<double>(4), single_records<double>(4) / 2},
-    {few<5, double>, single_records<double>(3), single_records<double>(3) / 2},
-    {few<6, double>, single_records<double>(3), single_records<double>(3) / 2},
+    {few<0, double>, grouped_records<double>(0, 10)},
+    {few<1, double>, grouped_records<double>(1, 10)},
+    {few<2, double>, grouped_records<double>(2, 10)},
+    {few<3, double>, grouped_records<double>(3, 7)},
+    {few<4, double>, single_records<double>(4)},
+    {few<5, double>, single_records<double>(3)},
+    {few<6, double>, single_records<double>(3)},
 };
 
 template <class T>
 void product(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {1, 1}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 0},
-      {2, {4, 4}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 1},
-      {2, {9, 9}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 2},
-      {2, {16, 16}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 3},
-      {2, {25, 25}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 4},
-      {2, {36, 36}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 5},
-      {2, {49, 49}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 6},
+      {2, {1, 1}, 1, false, kernel<0, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 0, single_records<T>(10) / 2},
+      {2, {4, 4}, 4, false, kernel<1, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 1, single_records<T>(10) / 2},
+      {2, {9, 9}, 9, false, kernel<2, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 2, single_records<T>(10) / 2},
+      {2, {16, 16}, 16, false, kernel<3, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 3, single_records<T>(7) / 2},
+      {2, {25, 25}, 25, false, kernel<4, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 4, single_records<T>(4) / 2},
+      {2, {36, 36}, 36, false, kernel<5, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 5, single_records<T>(3) / 2},
+      {2, {49, 49}, 49, false, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(product_float, product_double) + 6, single_records<T>(3) / 2},
   };
   drive(call, kPlans[call.degree]);
 }

@@ -5,6 +5,7 @@
 #include "../cpp/project.hpp"
 #include "../cpp/project_moments.hpp"
 #include "drive.hpp"
+#include "groups.hpp"
 #include "once.hpp"
 
 namespace sh::batch::SH_BATCH_ISA {
@@ -25,23 +26,58 @@ template <int Degree, class T>
   });
 }
 
+template <int Degree, class T>
+void few(const T* a, bool is_shared, const T* b, std::size_t n, T* to) {
+  sum_every_record<((Degree + 1) * (Degree + 1)), 3, 1>(a, is_shared, b, n, to, [](const One<T>* const* in, One<T>* out) {
+    sh::project<Degree>(in[0][0], in[0][1], in[0][2], in[1][0], out);
+  });
+}
+
 }  // namespace
 
+extern const detail::SingleKernels<float> project_float[];
+const detail::SingleKernels<float> project_float[] = {
+    {few<0, float>, single_records<float>(24)},
+    {few<1, float>, single_records<float>(24)},
+    {few<2, float>, single_records<float>(20)},
+    {few<3, float>, single_records<float>(20)},
+    {few<4, float>, single_records<float>(20)},
+    {few<5, float>, single_records<float>(20)},
+    {few<6, float>, single_records<float>(20)},
+    {few<7, float>, single_records<float>(20)},
+    {few<8, float>, single_records<float>(20)},
+    {few<9, float>, single_records<float>(20)},
+    {few<10, float>, single_records<float>(20)},
+};
+extern const detail::SingleKernels<double> project_double[];
+const detail::SingleKernels<double> project_double[] = {
+    {few<0, double>, single_records<double>(24)},
+    {few<1, double>, single_records<double>(24)},
+    {few<2, double>, single_records<double>(20)},
+    {few<3, double>, single_records<double>(20)},
+    {few<4, double>, single_records<double>(20)},
+    {few<5, double>, single_records<double>(20)},
+    {few<6, double>, single_records<double>(20)},
+    {few<7, double>, single_records<double>(20)},
+    {few<8, double>, single_records<double>(20)},
+    {few<9, double>, single_records<double>(20)},
+    {few<10, double>, single_records<double>(20)},
+};
 
 template <class T>
 void project(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {3, 1}, 1, true, parts<0, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
-      {2, {3, 1}, 4, true, parts<1, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
-      {2, {3, 1}, 9, true, parts<2, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
-      {2, {3, 1}, 16, true, parts<3, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
-      {2, {3, 1}, 25, true, parts<4, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
-      {2, {3, 1}, 36, true, parts<5, T>, nullptr, nullptr, 0, nullptr, detail::finish_project},
-      {2, {3, 1}, 49, true, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {2, {3, 1}, 64, true, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {2, {3, 1}, 81, true, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {2, {3, 1}, 100, true, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr},
-      {2, {3, 1}, 121, true, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr},
+      {2, {3, 1}, 1, true, parts<0, T>, nullptr, nullptr, 0, nullptr, detail::finish_project, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(project_float, project_double) + 0, single_records<T>(24)},
+      {2, {3, 1}, 4, true, parts<1, T>, nullptr, nullptr, 0, nullptr, detail::finish_project, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(project_float, project_double) + 1, single_records<T>(24)},
+      {2, {3, 1}, 9, true, parts<2, T>, nullptr, nullptr, 0, nullptr, detail::finish_project, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(project_float, project_double) + 2, single_records<T>(20)},
+      {2, {3, 1}, 16, true, parts<3, T>, nullptr, nullptr, 0, nullptr, detail::finish_project, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(project_float, project_double) + 3, single_records<T>(20)},
+      {2, {3, 1}, 25, true, parts<4, T>, nullptr, nullptr, 0, nullptr, detail::finish_project, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(project_float, project_double) + 4, single_records<T>(20)},
+      {2, {3, 1}, 36, true, parts<5, T>, nullptr, nullptr, 0, nullptr, detail::finish_project, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(project_float, project_double) + 5, single_records<T>(20)},
+      {2, {3, 1}, 49, true, kernel<6, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(project_float, project_double) + 6, single_records<T>(20)},
+      {2, {3, 1}, 64, true, kernel<7, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(project_float, project_double) + 7, single_records<T>(20)},
+      {2, {3, 1}, 81, true, kernel<8, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(project_float, project_double) + 8, single_records<T>(20)},
+      {2, {3, 1}, 100, true, kernel<9, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(project_float, project_double) + 9, single_records<T>(20)},
+      {2, {3, 1}, 121, true, kernel<10, T>, nullptr, nullptr, 0, nullptr, nullptr, -1, nullptr, nullptr, nullptr, nullptr, of_type<T>(project_float, project_double) + 10, single_records<T>(20)},
   };
   drive(call, kPlans[call.degree]);
 }

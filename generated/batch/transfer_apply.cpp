@@ -48,13 +48,13 @@ constexpr BlockKernel<T> half() {
 template <class T>
 void transfer_apply(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {2, {1, 1}, 1, false, kernel<0, T>, half<0, 1, T>(), nullptr, 0, nullptr, nullptr, 1},
-      {2, {9, 12}, 4, false, kernel<1, T>, half<1, 9, T>(), nullptr, 0, nullptr, nullptr, 1},
-      {2, {25, 36}, 9, false, kernel<2, T>, half<2, 25, T>(), nullptr, 0, nullptr, nullptr, 1},
-      {2, {49, 76}, 16, false, kernel<3, T>, half<3, 49, T>(), nullptr, 0, nullptr, nullptr, 1},
-      {2, {81, 132}, 25, false, kernel<4, T>, half<4, 81, T>(), nullptr, 0, nullptr, nullptr, 1},
-      {2, {121, 204}, 36, false, kernel<5, T>, half<5, 121, T>(), nullptr, 0, nullptr, nullptr, 1},
-      {2, {169, 292}, 49, false, kernel<6, T>, half<6, 169, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {2, {1, 1}, 1, false, kernel<0, T>, half<0, 1, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
+      {2, {9, 12}, 4, false, kernel<1, T>, half<1, 9, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
+      {2, {25, 36}, 9, false, kernel<2, T>, half<2, 25, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
+      {2, {49, 76}, 16, false, kernel<3, T>, half<3, 49, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
+      {2, {81, 132}, 25, false, kernel<4, T>, half<4, 81, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
+      {2, {121, 204}, 36, false, kernel<5, T>, half<5, 121, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
+      {2, {169, 292}, 49, false, kernel<6, T>, half<6, 169, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
   };
   drive(call, kPlans[call.degree]);
 }

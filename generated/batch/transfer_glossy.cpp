@@ -39,13 +39,13 @@ constexpr BlockKernel<T> half() {
 template <class T>
 void transfer_glossy(const detail::Call<T>& call) {
   static constexpr Plan<T> kPlans[] = {
-      {4, {1, 1, 1, 3}, 1, false, kernel<0, T>, half<0, 1, T>(), nullptr, 0, nullptr, nullptr, 1},
-      {4, {9, 12, 2, 3}, 1, false, kernel<1, T>, half<1, 9, T>(), nullptr, 0, nullptr, nullptr, 1},
-      {4, {25, 36, 3, 3}, 1, false, kernel<2, T>, half<2, 25, T>(), nullptr, 0, nullptr, nullptr, 1},
-      {4, {49, 76, 4, 3}, 1, false, kernel<3, T>, half<3, 49, T>(), nullptr, 0, nullptr, nullptr, 1},
-      {4, {81, 132, 5, 3}, 1, false, kernel<4, T>, half<4, 81, T>(), nullptr, 0, nullptr, nullptr, 1},
-      {4, {121, 204, 6, 3}, 1, false, kernel<5, T>, half<5, 121, T>(), nullptr, 0, nullptr, nullptr, 1},
-      {4, {169, 292, 7, 3}, 1, false, kernel<6, T>, half<6, 169, T>(), nullptr, 0, nullptr, nullptr, 1},
+      {4, {1, 1, 1, 3}, 1, false, kernel<0, T>, half<0, 1, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
+      {4, {9, 12, 2, 3}, 1, false, kernel<1, T>, half<1, 9, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
+      {4, {25, 36, 3, 3}, 1, false, kernel<2, T>, half<2, 25, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
+      {4, {49, 76, 4, 3}, 1, false, kernel<3, T>, half<3, 49, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
+      {4, {81, 132, 5, 3}, 1, false, kernel<4, T>, half<4, 81, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
+      {4, {121, 204, 6, 3}, 1, false, kernel<5, T>, half<5, 121, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
+      {4, {169, 292, 7, 3}, 1, false, kernel<6, T>, half<6, 169, T>(), nullptr, 0, nullptr, nullptr, 1, nullptr, nullptr, nullptr, nullptr, nullptr},
   };
   drive(call, kPlans[call.degree]);
 }

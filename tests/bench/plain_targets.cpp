@@ -8,6 +8,9 @@
 #include "generated/cpp/evaluate.hpp"
 #include "generated/cpp/evaluate_rgb.hpp"
 #include "generated/cpp/product.hpp"
+#include "generated/cpp/project.hpp"
+#include "generated/cpp/relight.hpp"
+#include "generated/cpp/relight_rgb.hpp"
 #include "generated/cpp/rotate.hpp"
 #include "tests/bench/harness.hpp"
 
@@ -111,6 +114,35 @@ void functions(Table& table, std::size_t n) {
   }
 }
 
+// Vertices under one light, and samples that are added up.
+template <int Degree>
+void sums(Table& table, std::size_t n) {
+  constexpr std::size_t kSize = (Degree + 1) * (Degree + 1);
+  const Records<float> records(n, kSize);
+  const std::vector<float> light = random_vectors(1, 3 * kSize);
+  const float* const transfer = records.coefficients.data();
+  const float* const d = records.directions.data();
+  float* const out = records.out.get();
+  const auto each = [=](const auto& kernel) {
+    return [=] {
+      for (std::size_t i = 0; i < n; ++i) kernel(i);
+      keep(*out);
+    };
+  };
+  compare<float>(
+      table, "relight", Degree, records,
+      [&] { batch::relight(Degree, n, batch::plain(transfer), light.data(), batch::plain(out)); },
+      each([&](std::size_t i) { out[i] = sh::relight<Degree>(transfer + i * kSize, light.data()); }));
+  compare<float>(
+      table, "relight_rgb", Degree, records,
+      [&] { batch::relight_rgb(Degree, n, batch::plain(transfer), light.data(), batch::plain(out)); },
+      each([&](std::size_t i) { sh::relight_rgb<Degree>(transfer + i * kSize, light.data(), out + 3 * i); }));
+  compare<float>(
+      table, "project", Degree, records,
+      [&] { batch::project(Degree, n, batch::plain(d), batch::plain(transfer), out); },
+      each([&](std::size_t i) { sh::project<Degree>(d[3 * i], d[3 * i + 1], d[3 * i + 2], transfer[i], out); }));
+}
+
 // Colors, coefficient by coefficient; the loops take them apart for the header's kernels.
 template <int Degree>
 void colors(Table& table, std::size_t n) {
@@ -162,6 +194,7 @@ void plain(Table& table) {
       families<kDegree, float>(table, n);
       families<kDegree, double>(table, n);
       functions<kDegree>(table, n);
+      if constexpr (kDegree >= 1 && kDegree <= 4) sums<kDegree>(table, n);
     });
   }
   for (const std::size_t n : {std::size_t{1}, std::size_t{3}, std::size_t{7}, std::size_t{17}, std::size_t{1024}}) {

@@ -81,7 +81,8 @@ void expect_families(std::size_t n, Layout in, Layout out) {
     }
   }
   const std::vector<T> r = any_numbers<T>(batch::blocked_size<T>(n + 1, 9));
-  for (const Records<const T>& matrices : {Records<const T>{r.data(), in}, Records<const T>{r.data(), Layout::kShared}}) {
+  for (const Records<const T>& matrices :
+       {Records<const T>{r.data(), in}, Records<const T>{r.data(), Layout::kShared}}) {
     expect_same<Degree, T>("rotate", n, kSize, [&](auto degree, T* values) {
       batch::rotate(degree, n, matrices, coefficients, to(values));
     });

@@ -71,8 +71,8 @@ TYPED_TEST(BatchSums, AddToWhatIsThereForEveryLengthAndTheSameBitsInEveryLayout)
   constexpr std::size_t kBlock = batch::kBlock<T>;
   constexpr double epsilon{std::numeric_limits<T>::epsilon()};
   for (int degree = 0; degree <= 10; ++degree) {
-    for (const std::size_t n :
-         {std::size_t{0}, std::size_t{1}, kBlock, kBlock + 1, 64 * kBlock, 64 * kBlock + 3, std::size_t{5000}}) {
+    for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{4},
+                                std::size_t{5}, kBlock, kBlock + 1, 64 * kBlock, 64 * kBlock + 3, std::size_t{5000}}) {
       const Samples<T> samples = random_samples<T>(n);
       const std::vector<double> expected = expected_sum(degree, samples);
       on_every_set([&] {
@@ -90,12 +90,17 @@ TYPED_TEST(BatchSums, AddToWhatIsThereForEveryLengthAndTheSameBitsInEveryLayout)
 
 TYPED_TEST(BatchSums, TakeOneWeightForAll) {
   using T = TypeParam;
-  Samples<T> samples = random_samples<T>(1000);
-  for (auto& weight : samples.weights) weight[0] = T(0.001);
-  for (const int degree : {0, 3, 7}) {
-    on_every_set([&] {
-      EXPECT_EQ(run_sum(degree, samples, {}, {Layout::kShared, 0}), run_sum(degree, samples, {}, {}));
-    });
+  for (const std::size_t n : {1, 3, 4, 5, 1000}) {
+    Samples<T> samples = random_samples<T>(n);
+    for (auto& weight : samples.weights) weight[0] = T(0.001);
+    for (const int degree : {0, 3, 7}) {
+      on_every_set([&] {
+        EXPECT_EQ(run_sum(degree, samples, {}, {Layout::kShared, 0}), run_sum(degree, samples, {}, {})) << n;
+        EXPECT_EQ(run_sum(degree, samples, {Layout::kBlocked, 0}, {Layout::kShared, 0}),
+                  run_sum(degree, samples, {}, {}))
+            << n;
+      });
+    }
   }
 }
 

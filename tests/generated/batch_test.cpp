@@ -93,7 +93,8 @@ TYPED_TEST(BatchDrivers, EqualTheirKernelsForEveryLengthAndWriteNothingElse) {
 TYPED_TEST(BatchDrivers, GiveTheSameBitsInEveryLayoutAndAlignment) {
   using T = TypeParam;
   for (const Subject<T>& subject : subjects<T>()) {
-    for (const std::size_t n : {2 * batch::kBlock<T>, 3 * batch::kBlock<T> + 5}) {
+    for (const std::size_t n :
+         {std::size_t{1}, std::size_t{3}, std::size_t{6}, 2 * batch::kBlock<T>, 3 * batch::kBlock<T> + 5}) {
       const auto inputs = random_inputs(subject, n);
       on_every_set([&] {
         const auto plain = run(subject, inputs, std::vector<Place>(inputs.size() + 1));
@@ -177,6 +178,15 @@ TYPED_TEST(BatchDrivers, GiveTheSameBitsInSmallCallsAtEveryDegree) {
       });
       expect_same_in_small_calls<T>(n, 3, "evaluate_rgb" + at, [&](std::size_t count, std::size_t i, T* out) {
         batch::evaluate_rgb(degree, count, coefficients(i, 3), directions(i), batch::plain(out));
+      });
+      expect_same_in_small_calls<T>(n, 1, "relight" + at, [&](std::size_t count, std::size_t i, T* out) {
+        batch::relight(degree, count, coefficients(i, 1), c.data(), batch::plain(out));
+      });
+      expect_same_in_small_calls<T>(n, 3, "relight_rgb" + at, [&](std::size_t count, std::size_t i, T* out) {
+        batch::relight_rgb(degree, count, coefficients(i, 1), c.data(), batch::plain(out));
+      });
+      expect_same_in_small_calls<T>(n, 3, "relight_colored" + at, [&](std::size_t count, std::size_t i, T* out) {
+        batch::relight_colored(degree, count, coefficients(i, 3), c.data(), batch::plain(out));
       });
       for (const bool is_shared : {false, true}) {
         expect_same_in_small_calls<T>(n, size, "rotate" + at, [&](std::size_t count, std::size_t i, T* out) {
