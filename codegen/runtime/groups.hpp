@@ -140,7 +140,7 @@ constexpr bool kIsVectorised = In + Out <= kVectorised;
 // Rows of an input of which one record serves all others.
 struct Shared : InOrder {};
 
-// Values from one record of such an input to the next.
+// Values from one record of an input to the next.
 template <class Rows, std::size_t Size>
 constexpr std::size_t kStep = std::is_same_v<Rows, Shared> ? 0 : Size;
 

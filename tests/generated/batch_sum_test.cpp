@@ -72,7 +72,8 @@ TYPED_TEST(BatchSums, AddToWhatIsThereForEveryLengthAndTheSameBitsInEveryLayout)
   constexpr double epsilon{std::numeric_limits<T>::epsilon()};
   for (int degree = 0; degree <= 10; ++degree) {
     for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{4},
-                                std::size_t{5}, kBlock, kBlock + 1, 64 * kBlock, 64 * kBlock + 3, std::size_t{5000}}) {
+                                std::size_t{5}, std::size_t{12}, std::size_t{13}, kBlock, kBlock + 1, std::size_t{24},
+                                std::size_t{25}, 64 * kBlock, 64 * kBlock + 3, std::size_t{5000}}) {
       const Samples<T> samples = random_samples<T>(n);
       const std::vector<double> expected = expected_sum(degree, samples);
       on_every_set([&] {
