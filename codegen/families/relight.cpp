@@ -54,7 +54,7 @@ Family relight_family(const std::string& name, int transfer_channels, int light_
 std::vector<Family> relight_families() {
   return {relight_family("relight", 1, 1, "Exit radiance of diffuse vertices under a light of one channel",
                          {15, 15, 15, 14, 11, 9, 7, 6}, 4),
-          relight_family("relight_rgb", 1, 3, "The same under a light of three channels", {12, 12, 8, 6, 5, 4, 3}, 3),
+          relight_family("relight_rgb", 1, 3, "The same under a light of three channels", {12, 12, 8, 6, 5, 4, 3}, 4),
           relight_family("relight_colored", 3, 3, "The same where transfer has three channels, too",
                          {16, 16, 12, 10, 8, 6, 5, 4}, -1)};
 }

@@ -229,7 +229,8 @@ int most_single(const Driver& driver, int degree) {
 // The body of a kernel of few records: by groups at low degrees, else one after the other; `b` that serves all; a sum.
 std::string_view few_body(const Driver& driver) {
   if (signature_of(driver.last()).sums) {
-    return R"(  sum_every_record<$size, $first$further>(a, is_shared, b, n, to, [](const One<T>* const* in, One<T>* out) {
+    return R"(  constexpr bool kGrouped = Degree >= 2 && Degree <= $grouped;
+  sum_records<kGrouped, $size, $first$further>(a, is_shared, b, n, to, [](const auto* const* in, auto* out) __attribute__((always_inline)) {
     $call
   });
 )";
@@ -237,13 +238,7 @@ std::string_view few_body(const Driver& driver) {
   if (driver.spec.scalar_products) {
     return R"(  std::size_t first = 0;
   if constexpr (Degree >= 1 && Degree <= $grouped && sizeof(T) == sizeof(float)) {
-    Blocks<T> blocks;
-    blocks.in[0] = a;
-    blocks.in[1] = b;
-    blocks.out = to;
-    blocks.count = is_shared ? 0 : n / kBlock<T>;
-    multiply_records<$rows, $sums, (Degree + 1) * (Degree + 1), T>(blocks);
-    first = blocks.count * kBlock<T>;
+    if (n > kMostProducts && !is_shared) first = multiply_few<$rows, $sums, (Degree + 1) * (Degree + 1)>(a, b, n, to);
   }
   for (std::size_t i = first; i < n; ++i) {
     const T* const in[] = {a + (is_shared ? 0 : i * $first)};
@@ -327,11 +322,11 @@ std::string single_table(const Driver& driver, const std::string& scalar) {
     const int degree = finished.kernel.degree;
     const std::string at_degree = "<" + std::to_string(degree) + ", " + scalar + ">";
     std::string most = single_records(driver, degree, scalar);
-    if (degree <= driver.spec.grouped && !driver.spec.scalar_products) {
+    if (degree <= driver.spec.grouped && driver.has_records()) {
       most = filled(
           "grouped_records<$t>($degree, $single)",
           {{"t", scalar}, {"degree", std::to_string(degree)}, {"single", std::to_string(most_single(driver, degree))}});
-    } else if (degree >= 1 && degree <= driver.spec.grouped && scalar == "float") {
+    } else if (driver.spec.scalar_products && degree >= 1 && degree <= driver.spec.grouped && scalar == "float") {
       most = "detail::kMostDirect";
     }
     text += "    {few" + at_degree + ", " + most + (turns_colors(driver.last()) ? ", colors" + at_degree + "()" : "") +

@@ -247,7 +247,8 @@ class Driver {
         const T* from = shared ? blocks_.in[j] : call_.in[j].data + first * size;
         blocks_.in[j] = from;
         if ((direct_in_[j] || (j == 0 && takes_records())) && lanes == kBlock<T>) continue;
-        fetch(call_.in[j].layout, size, from, count, lanes, room);
+        // A shared record has been spread over a block.
+        fetch(shared ? Layout::kBlocked : call_.in[j].layout, size, from, count, lanes, room);
       }
       blocks_.in[j] = room;
       room += count * block;

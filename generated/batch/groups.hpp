@@ -204,9 +204,7 @@ template <std::size_t Size, class Rows, class T, class Count>
   if constexpr (std::is_same_v<Rows, Shared>) {
     for (std::size_t k = 0; k < Size; ++k) columns[k] = Group<T>(records[k]);
   } else if constexpr (Size == 1) {
-    typename GroupRegister<T>::type column{};
-    std::memcpy(&column, records, count * sizeof(T));
-    columns[0] = Group<T>::of(column);
+    columns[0] = Group<T>::of(load_column(records, count));
   } else if constexpr (Size == 3) {
     const auto triple = load_triples(records, count);
     columns[0] = Group<T>::of(triple.x);
@@ -255,6 +253,12 @@ template <std::size_t Size, class T, class Count>
     std::memcpy(records, &column, sizeof column);
   } else if constexpr (kAll && Size == 3 && sizeof(T) == sizeof(float)) {
     store_triples(columns[0].get(), columns[1].get(), columns[2].get(), records);
+#if defined(__AVX2__)
+  } else if constexpr (Size == 1) {
+    store_first(records, columns[0].get(), int(count));
+  } else if constexpr (Size == 3 && sizeof(T) == sizeof(float)) {
+    store_triples(columns[0].get(), columns[1].get(), columns[2].get(), records, count);
+#endif
   } else if constexpr (Size < 4) {
     unrolled(
         std::make_index_sequence<kGroup<T>>(), [&](std::size_t i) __attribute__((always_inline)) {
@@ -412,6 +416,34 @@ inline void run_records(const T* a, const T* b, std::size_t n, T* to) {
   }
 }
 
+// The most records whose scalar products are faster one by one than as a part of a group, as measured.
+#if defined(__AVX2__)
+constexpr std::size_t kMostProducts = 2;
+#else
+constexpr std::size_t kMostProducts = kBlock<float> - 1;
+#endif
+
+// The scalar products of plain records with `light` (add_products), blocks first, then groups that may lack records, until at
+// most kMostProducts are left: the number of those that are done.
+template <int Rows, int Sums, std::size_t Length>
+[[gnu::noinline]] std::size_t multiply_few(const float* records, const float* light, std::size_t n, float* to) {
+  std::size_t first = n / kBlock<float> * kBlock<float>;
+  if (first > 0) multiply_pairs<Rows, Sums, Length>(records, light, first, to);
+#if defined(__AVX2__)
+  for (; first < n && n - first > kMostProducts; first += kWide) {
+    const std::size_t count = n - first < kWide ? n - first : kWide;
+    Wide sums[Sums][1];
+    add_products<Rows, Sums, Length>(records + first * Rows * Length, count, light, false, sums);
+    if constexpr (Sums == 3) {
+      store_triples(sums[0][0], sums[1][0], sums[2][0], to + first * Sums, count);
+    } else {
+      store_first(to + first, sums[0][0], int(count));
+    }
+  }
+#endif
+  return first;
+}
+
 // Calls kernel(in, out) for n plain records, one after the other; in[j] and out are arrays of One. is_shared: there is one `a`
 // for all.
 template <std::size_t Out, std::size_t InA, std::size_t InB, class T, class Kernel>
@@ -426,20 +458,44 @@ template <std::size_t Out, std::size_t InA, std::size_t InB, class T, class Kern
   }
 }
 
-// Adds to Size values what kernel(in, out) adds to `out` for n plain records, one after the other. is_shared: there is one `a` for
-// all.
-template <std::size_t Size, std::size_t InA, std::size_t InB, class T, class Kernel>
-[[gnu::always_inline]] inline void sum_every_record(const T* a, bool is_shared, const T* b, std::size_t n, T* to,
-                                                    const Kernel& kernel) {
-  const std::size_t step = is_shared ? 0 : InA;
-  One<T> sum[Size];
-  for (std::size_t k = 0; k < Size; ++k) sum[k] = One<T>(T(0));
-  for (std::size_t i = 0; i < n; ++i) {
-    const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a + i * step),
-                                reinterpret_cast<const One<T>*>(b + i * InB)};
-    kernel(static_cast<const One<T>* const*>(in), static_cast<One<T>*>(sum));
+// Adds to Size values what kernel(in, out) adds to `out` for n plain records: added up in their order, then to what is there;
+// in[j] and out are arrays of One or of Group. Grouped: whether more than a few go by groups, whose terms are rounded before they
+// are added up. is_shared: there is one `a` for all.
+template <bool Grouped, std::size_t Size, std::size_t InA, std::size_t InB, class T, class Kernel>
+[[gnu::always_inline]] inline void sum_records(const T* a, bool is_shared, const T* b, std::size_t n, T* to,
+                                               const Kernel& kernel) {
+  constexpr std::size_t kMost = Grouped && kTakesParts ? 4 : std::numeric_limits<std::size_t>::max();  // as measured
+  if (n <= kMost) {
+    const std::size_t step = is_shared ? 0 : InA;
+    One<T> sum[Size];
+    for (std::size_t k = 0; k < Size; ++k) sum[k] = One<T>(T(0));
+    for (std::size_t i = 0; i < n; ++i) {
+      const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a + i * step),
+                                  reinterpret_cast<const One<T>*>(b + i * InB)};
+      kernel(static_cast<const One<T>* const*>(in), static_cast<One<T>*>(sum));
+    }
+    for (std::size_t k = 0; k < Size; ++k) to[k] += sum[k].get();
+    return;
   }
-  for (std::size_t k = 0; k < Size; ++k) to[k] += sum[k].get();
+  if constexpr (Grouped && kTakesParts) {
+    T repeated[kGroup<T> * InA];
+    for (std::size_t k = 0; is_shared && k < kGroup<T> * InA; ++k) repeated[k] = a[k % InA];
+    const auto from_zero = [&](const Group<T>* const* in, Group<T>* out) __attribute__((always_inline)) {
+      for (std::size_t k = 0; k < Size; ++k) out[k] = Group<T>(T(0));
+      kernel(in, out);
+    };
+    T sum[Size] = {};
+    for (std::size_t first = 0; first < n; first += kGroup<T>) {
+      const std::size_t count = n - first < kGroup<T> ? n - first : kGroup<T>;
+      T rows[kGroup<T> * Size];
+      run_group<T, InOrder, Size, InA, InB>(nullptr, is_shared ? repeated : a + first * InA, b + first * InB, count,
+                                            static_cast<T*>(rows), from_zero);
+      for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < Size; ++k) sum[k] += rows[i * Size + k];
+      }
+    }
+    for (std::size_t k = 0; k < Size; ++k) to[k] += sum[k];
+  }
 }
 
 // Calls kernel(in, out) for n interleaved records `b` of Size values a channel, where `a`, of InA values, serves all: in

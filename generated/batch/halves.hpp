@@ -78,9 +78,9 @@ inline Wide load_rows(const Half* first, const Half* second) {
   return widen_four(first);
 #endif
 }
-[[gnu::always_inline]] inline Tiles load_columns(const Half* records, std::size_t size) {
+[[gnu::always_inline]] inline Tiles load_columns(const Half* records, std::size_t size, std::size_t count = kWide) {
   const auto rows = [=](std::size_t i) __attribute__((always_inline)) {
-    return load_rows(records + i * size, records + (i + 4) % kWide * size);
+    return load_rows(record_of(records, size, count, i), record_of(records, size, count, i + 4));
   };
   return transposed(rows(0), rows(1), rows(2), rows(3));
 }

@@ -340,45 +340,57 @@ void multiply_blocks(const Blocks<T>& blocks) {
   }
 }
 
-// The scalar products of plain records, Rows rows of Length >= 4 values each, with input 1, Sums rows: row r meets rows
-// r Sums / Rows and up of it. Out: plain records. Transposed columns stay in registers while they are added up, in their
-// order, so that the bits are those of a plain loop; two parts by turns hide the time of an addition.
-// Stored: float, or Half, which `in[0]` points to then.
-template <int Rows, int Sums, std::size_t Length, class Stored>
-void multiply_records(const Blocks<float>& blocks) {
-  constexpr std::size_t kParts = 2;
-  constexpr std::size_t kAtOnce = kParts * kWide;  // records
+// Adds the scalar products of Parts x kWide plain records, Rows rows of Length >= 4 values each, with Sums rows of `light`: row
+// r meets rows r Sums / Rows and up of it. Transposed columns stay in registers while they are added up, in their order, so that
+// the bits are those of a plain loop; two parts by turns hide the time of an addition. count: the records of each part that are
+// there. far: whether the next records have to be fetched.
+template <int Rows, int Sums, std::size_t Length, std::size_t Parts, class Stored, class Count>
+[[gnu::always_inline]] inline void add_products(const Stored* records, Count count, const float* light, bool far,
+                                                Wide (*sums)[Parts]) {
+  constexpr std::size_t kAtOnce = Parts * kWide;  // records
   constexpr std::size_t kSize = Rows * Length;
   constexpr std::size_t kSumsOfRow = Sums / Rows;
-  const float* light = blocks.in[1];
-  for (std::size_t i = 0; i < blocks.count * kBlock<float>; i += kAtOnce) {
-    const Stored* records = reinterpret_cast<const Stored*>(blocks.in[0]) + i * kSize;
-    Wide sums[Sums][kParts];
-    for (auto& sum : sums) sum[0] = sum[1] = -Wide{};  // -0 leaves what is added to it
-    // Adds columns first + skipped to first + 3 of each row.
-    const auto add = [&](std::size_t first, auto skipped) __attribute__((always_inline)) {
-      constexpr std::size_t kSkipped = decltype(skipped)::value;
-      constexpr std::size_t kNear = Rows == 1 ? 10240 : 4096;  // measured: longer records leave less room
+  for (std::size_t sum = 0; sum < Sums; ++sum) {
+    for (std::size_t part = 0; part < Parts; ++part) sums[sum][part] = -Wide{};  // -0 leaves what is added to it
+  }
+  // Adds columns first + skipped to first + 3 of each row.
+  const auto add = [&](std::size_t first, auto skipped) __attribute__((always_inline)) {
+    constexpr std::size_t kSkipped = decltype(skipped)::value;
+    constexpr std::size_t kNear = Rows == 1 ? 10240 : 4096;  // measured: longer records leave less room
+    if (far) {
       prefetch_stream<kNear>(reinterpret_cast<const float*>(records + first * kAtOnce * Rows),
                              4 * kAtOnce * Rows * sizeof(Stored) / detail::kLine);
-      unrolled(
-          std::make_index_sequence<kParts * Rows>(), [&](std::size_t k) __attribute__((always_inline)) {
-            const std::size_t part = k / Rows;
-            const std::size_t row = k % Rows;
-            const Tiles columns = load_columns(records + part * kWide * kSize + row * Length + first, kSize);
-            unrolled(
-                std::make_index_sequence<(4 - kSkipped) * kSumsOfRow>(), [&](std::size_t j) __attribute__((
-                                                                             always_inline)) {
-                  const std::size_t column = kSkipped + j / kSumsOfRow;
-                  const std::size_t sum = row * kSumsOfRow + j % kSumsOfRow;
-                  sums[sum][part] += columns.v[column] * light[sum * Length + first + column];
-                });
-          });
-    };
-    for (std::size_t first = 0; first + 4 <= Length; first += 4) add(first, std::integral_constant<std::size_t, 0>());
-    if constexpr (Length % 4 != 0) add(Length - 4, std::integral_constant<std::size_t, 4 - Length % 4>());
+    }
+    unrolled(
+        std::make_index_sequence<Parts * Rows>(), [&](std::size_t k) __attribute__((always_inline)) {
+          const std::size_t part = k / Rows;
+          const std::size_t row = k % Rows;
+          const Tiles columns = load_columns(records + part * kWide * kSize + row * Length + first, kSize, count);
+          unrolled(
+              std::make_index_sequence<(4 - kSkipped) * kSumsOfRow>(), [&](std::size_t j) __attribute__((
+                                                                           always_inline)) {
+                const std::size_t column = kSkipped + j / kSumsOfRow;
+                const std::size_t sum = row * kSumsOfRow + j % kSumsOfRow;
+                sums[sum][part] += columns.v[column] * light[sum * Length + first + column];
+              });
+        });
+  };
+  for (std::size_t first = 0; first + 4 <= Length; first += 4) add(first, std::integral_constant<std::size_t, 0>());
+  if constexpr (Length % 4 != 0) add(Length - 4, std::integral_constant<std::size_t, 4 - Length % 4>());
+}
+
+// The scalar products of n plain records (add_products), a multiple of 2 kWide, with `light`, to plain records.
+template <int Rows, int Sums, std::size_t Length, class Stored>
+void multiply_pairs(const Stored* records, const float* light, std::size_t n, float* to) {
+  constexpr std::size_t kParts = 2;
+  constexpr std::size_t kNearest = 32768;  // bytes that stay in the nearest cache
+  const bool far = n * Rows * Length * sizeof(Stored) > kNearest;
+  for (std::size_t i = 0; i < n; i += kParts * kWide) {
+    Wide sums[Sums][kParts];
+    add_products<Rows, Sums, Length>(records + i * Rows * Length, std::integral_constant<std::size_t, kWide>(), light,
+                                     far, sums);
     for (std::size_t part = 0; part < kParts; ++part) {
-      float* out = blocks.out + (i + part * kWide) * Sums;
+      float* out = to + (i + part * kWide) * Sums;
       if constexpr (Sums == 3) {
         store_triples(sums[0][part], sums[1][part], sums[2][part], out);
       } else {
@@ -387,6 +399,13 @@ void multiply_records(const Blocks<float>& blocks) {
       }
     }
   }
+}
+
+// The same of whole blocks with input 1. Stored: float, or Half, which `in[0]` points to then.
+template <int Rows, int Sums, std::size_t Length, class Stored>
+void multiply_records(const Blocks<float>& blocks) {
+  multiply_pairs<Rows, Sums, Length>(reinterpret_cast<const Stored*>(blocks.in[0]), blocks.in[1],
+                                     blocks.count * kBlock<float>, blocks.out);
 }
 
 // The same for a kernel that adds to Size values: they stay in registers, as far as those go, for all blocks.

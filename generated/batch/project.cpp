@@ -28,7 +28,8 @@ template <int Degree, class T>
 
 template <int Degree, class T>
 void few(const T* a, bool is_shared, const T* b, std::size_t n, T* to) {
-  sum_every_record<((Degree + 1) * (Degree + 1)), 3, 1>(a, is_shared, b, n, to, [](const One<T>* const* in, One<T>* out) {
+  constexpr bool kGrouped = Degree >= 2 && Degree <= 4;
+  sum_records<kGrouped, ((Degree + 1) * (Degree + 1)), 3, 1>(a, is_shared, b, n, to, [](const auto* const* in, auto* out) __attribute__((always_inline)) {
     sh::project<Degree>(in[0][0], in[0][1], in[0][2], in[1][0], out);
   });
 }

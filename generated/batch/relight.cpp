@@ -14,13 +14,7 @@ template <int Degree, class T>
 void few(const T* a, bool is_shared, const T* b, std::size_t n, T* to) {
   std::size_t first = 0;
   if constexpr (Degree >= 1 && Degree <= 4 && sizeof(T) == sizeof(float)) {
-    Blocks<T> blocks;
-    blocks.in[0] = a;
-    blocks.in[1] = b;
-    blocks.out = to;
-    blocks.count = is_shared ? 0 : n / kBlock<T>;
-    multiply_records<1, 1, (Degree + 1) * (Degree + 1), T>(blocks);
-    first = blocks.count * kBlock<T>;
+    if (n > kMostProducts && !is_shared) first = multiply_few<1, 1, (Degree + 1) * (Degree + 1)>(a, b, n, to);
   }
   for (std::size_t i = first; i < n; ++i) {
     const T* const in[] = {a + (is_shared ? 0 : i * ((Degree + 1) * (Degree + 1)))};

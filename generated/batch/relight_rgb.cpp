@@ -13,14 +13,8 @@ namespace {
 template <int Degree, class T>
 void few(const T* a, bool is_shared, const T* b, std::size_t n, T* to) {
   std::size_t first = 0;
-  if constexpr (Degree >= 1 && Degree <= 3 && sizeof(T) == sizeof(float)) {
-    Blocks<T> blocks;
-    blocks.in[0] = a;
-    blocks.in[1] = b;
-    blocks.out = to;
-    blocks.count = is_shared ? 0 : n / kBlock<T>;
-    multiply_records<1, 3, (Degree + 1) * (Degree + 1), T>(blocks);
-    first = blocks.count * kBlock<T>;
+  if constexpr (Degree >= 1 && Degree <= 4 && sizeof(T) == sizeof(float)) {
+    if (n > kMostProducts && !is_shared) first = multiply_few<1, 3, (Degree + 1) * (Degree + 1)>(a, b, n, to);
   }
   for (std::size_t i = first; i < n; ++i) {
     const T* const in[] = {a + (is_shared ? 0 : i * ((Degree + 1) * (Degree + 1)))};
@@ -37,7 +31,7 @@ const detail::SingleKernels<float> relight_rgb_float[] = {
     {few<1, float>, detail::kMostDirect},
     {few<2, float>, detail::kMostDirect},
     {few<3, float>, detail::kMostDirect},
-    {few<4, float>, single_records<float>(5)},
+    {few<4, float>, detail::kMostDirect},
     {few<5, float>, single_records<float>(4)},
     {few<6, float>, single_records<float>(3)},
     {few<7, float>, single_records<float>(3)},

@@ -273,8 +273,35 @@ template <class Columns>
   join_slab<1>(columns, nullptr, records, size);
 }
 
+#if defined(__AVX2__)
+// Ones in the first `count` lanes; count may be negative, or more than there are.
+[[gnu::always_inline]] inline __m256i first_lanes(int count) {
+  return _mm256_cmpgt_epi32(_mm256_set1_epi32(count), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+}
+inline void store_first(float* to, const Wide& v, int count) { _mm256_maskstore_ps(to, first_lanes(count), v); }
+[[gnu::always_inline]] inline __m256i first_pairs(int count) {  // of lanes of 64 bits
+  return _mm256_cmpgt_epi64(_mm256_set1_epi64x(count), _mm256_setr_epi64x(0, 1, 2, 3));
+}
+inline void store_first(double* to, const Doubles& v, int count) { _mm256_maskstore_pd(to, first_pairs(count), v); }
+#endif
+
 inline Wide load_column(const float* from) { return load_wide(from); }
 inline Doubles load_column(const double* from) { return load_doubles(from); }
+// As many values as a column has; zeros for those that are missing.
+template <class T, class Count>
+[[gnu::always_inline]] inline auto load_column(const T* from, Count count) {
+  decltype(load_column(from)) column{};
+  std::memcpy(&column, from, count * sizeof(T));
+  return column;
+}
+#if defined(__AVX2__)
+inline Wide load_column(const float* from, std::size_t count) {
+  return _mm256_maskload_ps(from, first_lanes(int(count)));
+}
+inline Doubles load_column(const double* from, std::size_t count) {
+  return _mm256_maskload_pd(from, first_pairs(int(count)));
+}
+#endif
 
 // Whether load_triples takes records of three values, kTaken of them; elsewhere rows of a transpose serve.
 struct Triple {
@@ -296,9 +323,8 @@ inline Triple load_triples(const float* records) {
 }
 // Those of `count` records; zeros for those that are missing.
 inline Triple load_triples(const float* records, std::size_t count) {
-  const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
   const auto load = [=](int at) __attribute__((always_inline)) {
-    return _mm256_maskload_ps(records + at, _mm256_cmpgt_epi32(_mm256_set1_epi32(3 * int(count) - at), lanes));
+    return _mm256_maskload_ps(records + at, first_lanes(3 * int(count) - at));
   };
   return triples(load(0), load(8), load(16));
 }
@@ -317,9 +343,8 @@ inline DoubleTriple load_triples(const double* records) {
   return triples(load_doubles(records), load_doubles(records + 4), load_doubles(records + 8));
 }
 inline DoubleTriple load_triples(const double* records, std::size_t count) {
-  const __m256i lanes = _mm256_setr_epi64x(0, 1, 2, 3);
   const auto load = [=](int at) __attribute__((always_inline)) {
-    return _mm256_maskload_pd(records + at, _mm256_cmpgt_epi64(_mm256_set1_epi64x(3 * int(count) - at), lanes));
+    return _mm256_maskload_pd(records + at, first_pairs(3 * int(count) - at));
   };
   return triples(load(0), load(4), load(8));
 }
@@ -348,8 +373,8 @@ inline void spread_triples(const T* records, T* block) {
   store(block + 2 * kBlock<T>, columns.z);
 }
 
-// Three values of kWide records -> the records.
-inline void store_triples(const Wide& a, const Wide& b, const Wide& c, float* records) {
+// Three values of kWide records -> rows of the records.
+[[gnu::always_inline]] inline Triple rows_of_triples(const Wide& a, const Wide& b, const Wide& c) {
   const Wide a0b0a1b1 = pick<0, 4, 1, 5>(a, b);
   const Wide a2b2a3b3 = pick<2, 6, 3, 7>(a, b);
   const Wide c0a1c2a3 = pick<0, 5, 2, 7>(c, a);
@@ -358,15 +383,29 @@ inline void store_triples(const Wide& a, const Wide& b, const Wide& c, float* re
   const Wide second = pick<0, 1, 4, 5>(b1c1b3c3, a2b2a3b3);
   const Wide third = pick<2, 3, 6, 7>(c0a1c2a3, b1c1b3c3);
 #if defined(__AVX2__)
-  store(records, __builtin_shufflevector(first, second, 0, 1, 2, 3, 8, 9, 10, 11));
-  store(records + 8, __builtin_shufflevector(third, first, 0, 1, 2, 3, 12, 13, 14, 15));
-  store(records + 16, __builtin_shufflevector(second, third, 4, 5, 6, 7, 12, 13, 14, 15));
+  return {__builtin_shufflevector(first, second, 0, 1, 2, 3, 8, 9, 10, 11),
+          __builtin_shufflevector(third, first, 0, 1, 2, 3, 12, 13, 14, 15),
+          __builtin_shufflevector(second, third, 4, 5, 6, 7, 12, 13, 14, 15)};
 #else
-  store(records, first);
-  store(records + 4, second);
-  store(records + 8, third);
+  return {first, second, third};
 #endif
 }
+[[gnu::always_inline]] inline void store_triples(const Wide& a, const Wide& b, const Wide& c, float* records) {
+  const Triple rows = rows_of_triples(a, b, c);
+  store(records, rows.x);
+  store(records + kWide, rows.y);
+  store(records + 2 * kWide, rows.z);
+}
+#if defined(__AVX2__)
+// The first `count` of them.
+[[gnu::always_inline]] inline void store_triples(const Wide& a, const Wide& b, const Wide& c, float* records,
+                                                 std::size_t count) {
+  const Triple rows = rows_of_triples(a, b, c);
+  store_first(records, rows.x, 3 * int(count));
+  store_first(records + kWide, rows.y, 3 * int(count) - 8);
+  store_first(records + 2 * kWide, rows.z, 3 * int(count) - 16);
+}
+#endif
 
 // Three values of a block of kWide lanes -> the records.
 inline void join_triples(const float* block, float* records) {

@@ -71,9 +71,10 @@ TYPED_TEST(BatchSums, AddToWhatIsThereForEveryLengthAndTheSameBitsInEveryLayout)
   constexpr std::size_t kBlock = batch::kBlock<T>;
   constexpr double epsilon{std::numeric_limits<T>::epsilon()};
   for (int degree = 0; degree <= 10; ++degree) {
-    for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{4},
-                                std::size_t{5}, std::size_t{12}, std::size_t{13}, kBlock, kBlock + 1, std::size_t{24},
-                                std::size_t{25}, 64 * kBlock, 64 * kBlock + 3, std::size_t{5000}}) {
+    for (const std::size_t n :
+         {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{4}, std::size_t{5},
+          std::size_t{7}, std::size_t{8}, std::size_t{9}, std::size_t{12}, std::size_t{13}, kBlock, kBlock + 1,
+          std::size_t{24}, std::size_t{25}, 64 * kBlock, 64 * kBlock + 3, std::size_t{5000}}) {
       const Samples<T> samples = random_samples<T>(n);
       const std::vector<double> expected = expected_sum(degree, samples);
       on_every_set([&] {
@@ -100,6 +101,21 @@ TYPED_TEST(BatchSums, TakeOneWeightForAll) {
         EXPECT_EQ(run_sum(degree, samples, {Layout::kBlocked, 0}, {Layout::kShared, 0}),
                   run_sum(degree, samples, {}, {}))
             << n;
+      });
+    }
+  }
+}
+
+TYPED_TEST(BatchSums, TakeOneDirectionForAll) {
+  using T = TypeParam;
+  for (const std::size_t n : {1, 2, 4, 5, 8, 9, 24, 25, 1000}) {
+    Samples<T> samples = random_samples<T>(n);
+    for (auto& direction : samples.directions) direction = samples.directions[0];
+    for (const int degree : {0, 1, 2, 3, 4, 7}) {
+      on_every_set([&] {
+        const std::vector<T> sum = run_sum(degree, samples, {}, {});
+        EXPECT_EQ(run_sum(degree, samples, {Layout::kShared, 0}, {}), sum) << degree << " " << n;
+        EXPECT_EQ(run_sum(degree, samples, {Layout::kShared, 0}, {Layout::kBlocked, 1}), sum) << degree << " " << n;
       });
     }
   }
