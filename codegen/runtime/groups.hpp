@@ -458,44 +458,46 @@ template <std::size_t Out, std::size_t InA, std::size_t InB, class T, class Kern
   }
 }
 
-// Adds to Size values what kernel(in, out) adds to `out` for n plain records: added up in their order, then to what is there;
-// in[j] and out are arrays of One or of Group. Grouped: whether more than a few go by groups, whose terms are rounded before they
-// are added up. is_shared: there is one `a` for all.
+// Adds to Size values what kernel(in, out) adds to `out` for n plain records, by groups: terms are rounded, added up in the order of
+// the records, then added to what is there. is_shared: there is one `a` for all.
+template <std::size_t Size, std::size_t InA, std::size_t InB, class T, class Kernel>
+[[gnu::noinline]] void sum_groups(const T* a, bool is_shared, const T* b, std::size_t n, T* to, const Kernel& kernel) {
+  T repeated[kGroup<T> * InA];
+  for (std::size_t k = 0; is_shared && k < kGroup<T> * InA; ++k) repeated[k] = a[k % InA];
+  const auto from_zero = [&](const Group<T>* const* in, Group<T>* out) __attribute__((always_inline)) {
+    for (std::size_t k = 0; k < Size; ++k) out[k] = Group<T>(T(0));
+    kernel(in, out);
+  };
+  T sum[Size] = {};
+  for (std::size_t first = 0; first < n; first += kGroup<T>) {
+    const std::size_t count = n - first < kGroup<T> ? n - first : kGroup<T>;
+    T rows[kGroup<T> * Size];
+    run_group<T, InOrder, Size, InA, InB>(nullptr, is_shared ? repeated : a + first * InA, b + first * InB, count,
+                                          static_cast<T*>(rows), from_zero);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < Size; ++k) sum[k] += rows[i * Size + k];
+    }
+  }
+  for (std::size_t k = 0; k < Size; ++k) to[k] += sum[k];
+}
+
+// The same one by one, where terms are not rounded beside their sum. Grouped: whether more than a few go by groups.
 template <bool Grouped, std::size_t Size, std::size_t InA, std::size_t InB, class T, class Kernel>
 [[gnu::always_inline]] inline void sum_records(const T* a, bool is_shared, const T* b, std::size_t n, T* to,
                                                const Kernel& kernel) {
-  constexpr std::size_t kMost = Grouped && kTakesParts ? 4 : std::numeric_limits<std::size_t>::max();  // as measured
-  if (n <= kMost) {
-    const std::size_t step = is_shared ? 0 : InA;
-    One<T> sum[Size];
-    for (std::size_t k = 0; k < Size; ++k) sum[k] = One<T>(T(0));
-    for (std::size_t i = 0; i < n; ++i) {
-      const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a + i * step),
-                                  reinterpret_cast<const One<T>*>(b + i * InB)};
-      kernel(static_cast<const One<T>* const*>(in), static_cast<One<T>*>(sum));
-    }
-    for (std::size_t k = 0; k < Size; ++k) to[k] += sum[k].get();
-    return;
-  }
   if constexpr (Grouped && kTakesParts) {
-    T repeated[kGroup<T> * InA];
-    for (std::size_t k = 0; is_shared && k < kGroup<T> * InA; ++k) repeated[k] = a[k % InA];
-    const auto from_zero = [&](const Group<T>* const* in, Group<T>* out) __attribute__((always_inline)) {
-      for (std::size_t k = 0; k < Size; ++k) out[k] = Group<T>(T(0));
-      kernel(in, out);
-    };
-    T sum[Size] = {};
-    for (std::size_t first = 0; first < n; first += kGroup<T>) {
-      const std::size_t count = n - first < kGroup<T> ? n - first : kGroup<T>;
-      T rows[kGroup<T> * Size];
-      run_group<T, InOrder, Size, InA, InB>(nullptr, is_shared ? repeated : a + first * InA, b + first * InB, count,
-                                            static_cast<T*>(rows), from_zero);
-      for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t k = 0; k < Size; ++k) sum[k] += rows[i * Size + k];
-      }
-    }
-    for (std::size_t k = 0; k < Size; ++k) to[k] += sum[k];
+    constexpr std::size_t kMost = 4;  // one by one, as measured
+    if (n > kMost) return sum_groups<Size, InA, InB>(a, is_shared, b, n, to, kernel);
   }
+  const std::size_t step = is_shared ? 0 : InA;
+  One<T> sum[Size];
+  for (std::size_t k = 0; k < Size; ++k) sum[k] = One<T>(T(0));
+  for (std::size_t i = 0; i < n; ++i) {
+    const One<T>* const in[] = {reinterpret_cast<const One<T>*>(a + i * step),
+                                reinterpret_cast<const One<T>*>(b + i * InB)};
+    kernel(static_cast<const One<T>* const*>(in), static_cast<One<T>*>(sum));
+  }
+  for (std::size_t k = 0; k < Size; ++k) to[k] += sum[k].get();
 }
 
 // Calls kernel(in, out) for n interleaved records `b` of Size values a channel, where `a`, of InA values, serves all: in
