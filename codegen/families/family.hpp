@@ -75,8 +75,8 @@ struct BatchDriver {
   /// By degree, the last one for all further: the most records that 16 lanes compute slower than the kernel one by one, as
   /// measured. Empty: there is no such loop.
   std::vector<int> single = {};
-  /// Without `groups`: the last degree whose plain records, few of a sum, go through registers in groups, in a call that needs no
-  /// driver.
+  /// Without `groups`: the last degree at which plain records (of a sum: few) go through registers in groups, in a call that
+  /// needs no driver.
   int grouped = -1;
   int largest = 10;  ///< the largest degree; beyond it a driver does not justify its compile time
 };

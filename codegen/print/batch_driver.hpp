@@ -62,7 +62,8 @@ struct Driver {
   [[nodiscard]] bool adds_parts() const { return parts != nullptr && finish != nullptr; }
   [[nodiscard]] const Kernel& last() const { return kernels.back().kernel; }
   [[nodiscard]] bool has_few() const { return !spec.groups && !spec.single.empty(); }  // SingleKernels
-  [[nodiscard]] bool has_records() const {                                             // kernels of groups
+  /// Whether it has kernels of groups.
+  [[nodiscard]] bool has_records() const {
     return spec.groups || (spec.grouped >= 0 && !spec.scalar_products && !signature_of(last()).sums);
   }
 };
